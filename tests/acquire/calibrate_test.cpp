@@ -7,7 +7,6 @@
 
 #include "support/force_row.hpp"
 #include "support/input_error.hpp"
-#include "support/messages.hpp"
 
 namespace percuss::acquire::calibrate_test {
 

@@ -11,8 +11,8 @@
 #include "acquire/open_measurement.hpp"
 #include "acquire/write_record.hpp"
 #include "core/io/input_file.hpp"
-#include "support/csv_text.hpp"
 #include "support/input_error.hpp"
+#include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace percuss::acquire::format_registry_test {

@@ -7,11 +7,11 @@
 #include "acquire/formats/hdf5/write_hdf5.hpp"
 #include "acquire/open_measurement.hpp"
 #include "acquire/record/record.hpp"
-#include "support/csv_text.hpp"
 #include "support/input_error.hpp"
+#include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::acquire::open_record_test {
+namespace percuss::acquire::open_measurement_test {
 
 using test::input_error_of;
 using testing::ElementsAre;
@@ -133,4 +133,4 @@ TEST_F(OpenRecord, RefusesAHugeFileOfZerosByItsFirstBytes) {
   EXPECT_THAT(input_error_of([&] { open_record(path); }), HasSubstr("neither text"));
 }
 
-}  // namespace percuss::acquire::open_record_test
+}  // namespace percuss::acquire::open_measurement_test

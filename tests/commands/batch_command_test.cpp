@@ -134,7 +134,6 @@ TEST_F(BatchCommand, GivesTheSameBytesForAnyNumberOfShards) {
       batch({"merge", "--manifest", "m.jsonl", "out", "-o", "1.jsonl", "-o", "1.csv", "-o", "1.h5", "-o", "1.HDF5"})
           .code,
       6);
-  ASSERT_EQ(run({"--threads", "2", "-o", "two"}).code, 2);  // -o is given twice
   for (const std::string shard : {"2/3", "0/3", "1/3"})
     EXPECT_NE(batch({"run", "--manifest", "m.jsonl", "-o", "three", "--threads", "2", "--shard", shard}).code, 3);
   ASSERT_EQ(batch({"merge", "--manifest", "m.jsonl", "three", "-o", "3.jsonl", "-o", "3.csv", "-o", "3.h5"}).code, 6);

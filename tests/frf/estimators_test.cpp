@@ -9,7 +9,6 @@
 #include <span>
 
 #include "support/input_error.hpp"
-#include "support/messages.hpp"
 
 namespace percuss::frf::estimators_test {
 

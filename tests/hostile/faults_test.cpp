@@ -28,13 +28,8 @@ class Faults : public testing::Test {
     return test::run_percuss(arguments, {.environment = {"LD_PRELOAD=" PERCUSS_FAULTS,
                                                          "PERCUSS_FAULT_" + fault + "=" + std::to_string(number)}});
   }
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_.path())) names.push_back(entry.path().filename());
-    return names;
-  }
   void clear() const {
-    for (const std::string& name : files()) fs::remove(folder_.file(name));
+    for (const std::string& name : folder_.names()) fs::remove(folder_.file(name));
   }
   /// Runs the command again and again; the n-th allocation fails, with n = kFirst, kFirst + step, … Ends after ten
   /// successful runs in succession: n then exceeds the number of allocations.
@@ -65,7 +60,8 @@ class Faults : public testing::Test {
       // permitted), or never end (then the time limit of the reader ends it).
       ASSERT_THAT(outcome.err, AnyOf(HasSubstr("memory"), HasSubstr("Operation not permitted"),
                                      HasSubstr("limit for a file of this size")));
-      ASSERT_THAT(files(), IsEmpty());
+      ASSERT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
+      ASSERT_THAT(folder_.names(), IsEmpty());
     }
     EXPECT_GT(failures, 10);
   }
@@ -112,7 +108,7 @@ TEST_F(Faults, OfTheDiskLeaveNoFile) {
       ++failures;
       ASSERT_EQ(outcome.code, 3) << outcome.err;
       ASSERT_THAT(outcome.err, HasSubstr(path));
-      ASSERT_THAT(files(), IsEmpty());
+      ASSERT_THAT(folder_.names(), IsEmpty());
     }
     EXPECT_GE(failures, 1) << kind;
     clear();

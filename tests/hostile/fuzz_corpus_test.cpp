@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <random>
 
+#include "support/minimised_corpus.hpp"
 #include "support/scratch_folder.hpp"
 #include "targets.hpp"
 
@@ -65,11 +66,8 @@ TEST_P(FuzzCorpus, IsReadOrRejected) {
 // The inputs that the fuzzers found, reduced to inputs that reach different code.
 TEST_P(FuzzCorpus, IsReadOrRejectedWhenMinimised) {
   const test::ScratchFolder folder;
-  const std::string archive = PERCUSS_SOURCE_DIR "/fuzz/minimised.tar.gz", name = GetParam().name;
-  const std::string command = "tar -C '" + folder.path() + "' -xzf '" + archive + "' minimised/" + name;
-  if (std::system(command.c_str()) != 0) GTEST_FAIL() << command;
   std::size_t count = 0;
-  for (const auto& entry : fs::directory_iterator(folder.file("minimised/" + name))) {
+  for (const auto& entry : fs::directory_iterator(test::extract_minimised(GetParam().name, folder.path()))) {
     SCOPED_TRACE(entry.path());
     GetParam().run(bytes_of(entry.path()));
     ++count;

@@ -9,7 +9,6 @@
 #include "acquire/formats/hdf5/read_hdf5.hpp"
 #include "support/hdf5_builder.hpp"
 #include "support/input_error.hpp"
-#include "support/messages.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace percuss::hdf5_hostile_test {

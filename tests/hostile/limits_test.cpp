@@ -24,11 +24,6 @@ class Limits : public testing::Test {
     test::write_small_test(inputs_.file("record.csv"));
     test::write_small_test(inputs_.file("record.h5"));
   }
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_.path())) names.push_back(entry.path().filename());
-    return names;
-  }
   /// Expects success, or one line, an exit code for faults, and no file.
   void expect_clean(const ProcessOutcome& outcome) const {
     ASSERT_EQ(outcome.signal, 0) << outcome.err;
@@ -36,10 +31,10 @@ class Limits : public testing::Test {
     EXPECT_THAT(outcome.code, AnyOf(1, 3, 4)) << outcome.err;
     EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
     EXPECT_THAT(outcome.err, testing::StartsWith("percuss: "));
-    EXPECT_THAT(files(), IsEmpty());
+    EXPECT_THAT(folder_.names(), IsEmpty());
   }
   void clear() const {
-    for (const std::string& name : files()) fs::remove(folder_.file(name));
+    for (const std::string& name : folder_.names()) fs::remove(folder_.file(name));
   }
   std::vector<std::vector<std::string>> commands() const {
     std::vector<std::vector<std::string>> all{

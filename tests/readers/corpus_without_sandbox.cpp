@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 #include "acquire/open_measurement.hpp"
+#include "support/minimised_corpus.hpp"
 #include "support/scratch_folder.hpp"
 #include "targets.hpp"
 
@@ -33,10 +33,7 @@ TEST(CorpusWithoutSandbox, IsReadOrRejected) {
 
 TEST(CorpusWithoutSandbox, IsReadOrRejectedWhenMinimised) {
   const test::ScratchFolder folder;
-  const std::string command =
-      "tar -C '" + folder.path() + "' -xzf '" PERCUSS_SOURCE_DIR "/fuzz/minimised.tar.gz' minimised/foreign";
-  if (std::system(command.c_str()) != 0) GTEST_FAIL() << command;
-  EXPECT_GE(read_folder(folder.file("minimised/foreign")), 1U);  // a new minimisation may keep fewer
+  EXPECT_GE(read_folder(test::extract_minimised("foreign", folder.path())), 1U);  // a new minimisation may keep fewer
 }
 
 }  // namespace percuss::corpus_without_sandbox

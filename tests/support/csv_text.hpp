@@ -1,7 +1,6 @@
 #pragma once
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "acquire/formats/text/read_csv.hpp"
 #include "core/io/input_file.hpp"
@@ -16,18 +15,6 @@ inline FileBytes csv_bytes(const std::string& text) {
 
 inline acquire::Record csv_record(const std::string& text, const acquire::ReadOptions& options = {}) {
   return acquire::open_csv(csv_bytes(text), options);
-}
-
-inline std::vector<double> force_N(const acquire::Record& record, std::size_t row = 0) {
-  std::vector<double> samples(record.rows.at(row).samples);
-  record.read_force_N(row, 0, samples);
-  return samples;
-}
-
-inline std::vector<double> accel_mps2(const acquire::Record& record, std::size_t channel = 0, std::size_t row = 0) {
-  std::vector<double> samples(record.rows.at(row).samples);
-  record.read_accel_mps2(row, channel, 0, samples);
-  return samples;
 }
 
 }  // namespace percuss::test

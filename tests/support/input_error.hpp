@@ -24,4 +24,16 @@ std::string input_error_of(Work&& work) {
   return {};
 }
 
+/// The options that the InputError of `work` concerns; fails the test when it throws none.
+template <class Work>
+std::vector<OptionId> options_of_error(Work&& work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    return error.options();
+  }
+  ADD_FAILURE() << "no InputError";
+  return {};
+}
+
 }  // namespace percuss::test

@@ -30,11 +30,16 @@ MatBuilder::MatBuilder(const std::string& path, MatLevel level)
 
 MatBuilder::~MatBuilder() { Mat_Close(file_of(file_)); }
 
+void MatBuilder::write(void* variable) {
+  auto* const made = static_cast<matvar_t*>(variable);
+  EXPECT_EQ(Mat_VarWrite(file_of(file_), made, compressed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
+  Mat_VarFree(made);
+}
+
 MatBuilder& MatBuilder::numbers(const std::string& name, const std::vector<std::size_t>& shape,
                                 const std::vector<double>& values) {
   matvar_t* const variable = array_of(name, shape, values);
-  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, compressed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
-  Mat_VarFree(variable);
+  write(variable);
   return *this;
 }
 
@@ -43,8 +48,7 @@ MatBuilder& MatBuilder::singles(const std::string& name, const std::vector<std::
   std::vector<std::size_t> dims = shape;
   matvar_t* const variable = Mat_VarCreate(name.c_str(), MAT_C_SINGLE, MAT_T_SINGLE, static_cast<int>(dims.size()),
                                            dims.data(), const_cast<float*>(values.data()), 0);
-  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, MAT_COMPRESSION_NONE), 0);
-  Mat_VarFree(variable);
+  write(variable);
   return *this;
 }
 
@@ -53,8 +57,7 @@ MatBuilder& MatBuilder::bytes_of_zero(const std::string& name, std::size_t count
   std::array<std::size_t, 2> dims{1, count};
   matvar_t* const variable =
       Mat_VarCreate(name.c_str(), MAT_C_UINT8, MAT_T_UINT8, 2, dims.data(), zeros.data(), MAT_F_DONT_COPY_DATA);
-  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, compressed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
-  Mat_VarFree(variable);
+  write(variable);
   return *this;
 }
 
@@ -69,8 +72,7 @@ MatBuilder& MatBuilder::complex(const std::string& name, const std::vector<std::
   mat_complex_split_t parts{real.data(), imaginary.data()};
   matvar_t* const variable = Mat_VarCreate(name.c_str(), MAT_C_DOUBLE, MAT_T_DOUBLE, static_cast<int>(dims.size()),
                                            dims.data(), &parts, MAT_F_COMPLEX);
-  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, compressed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
-  Mat_VarFree(variable);
+  write(variable);
   return *this;
 }
 
@@ -78,8 +80,7 @@ MatBuilder& MatBuilder::text(const std::string& name, const std::string& text) {
   std::array<std::size_t, 2> dims{1, text.size()};
   matvar_t* const variable =
       Mat_VarCreate(name.c_str(), MAT_C_CHAR, MAT_T_UTF8, 2, dims.data(), const_cast<char*>(text.data()), 0);
-  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, MAT_COMPRESSION_NONE), 0);
-  Mat_VarFree(variable);
+  write(variable);
   return *this;
 }
 
@@ -97,8 +98,7 @@ MatBuilder& MatBuilder::structure(const std::string& name, const std::vector<std
       Mat_VarSetStructFieldByIndex(variable, f, e, array_of(fields[f], {1, values.size()}, values));
     }
   }
-  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, compressed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
-  Mat_VarFree(variable);
+  write(variable);
   return *this;
 }
 
@@ -116,8 +116,7 @@ MatBuilder& MatBuilder::channels(const std::string& name, const std::vector<MatC
     Mat_VarSetStructFieldByIndex(variable, 1, c, array_of("data", {1, channel.data.size()}, channel.data));
     Mat_VarSetStructFieldByIndex(variable, 2, c, text_of("unit", channel.unit));
   }
-  EXPECT_EQ(Mat_VarWrite(file_of(file_), variable, compressed_ ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE), 0);
-  Mat_VarFree(variable);
+  write(variable);
   return *this;
 }
 

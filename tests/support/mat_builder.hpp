@@ -38,6 +38,9 @@ class MatBuilder {
   MatBuilder& channels(const std::string& name, const std::vector<MatChannel>& channels);
 
  private:
+  /// Writes a variable of libmatio and frees it.
+  void write(void* variable);
+
   void* file_;
   bool compressed_;
 };

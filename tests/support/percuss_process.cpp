@@ -40,15 +40,6 @@ bool give_up_root_rights() {
   return ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE) == 0 && ::prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH) == 0;
 }
 
-// A null-terminated list for exec.
-std::vector<char*> c_strings(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  pointers.reserve(texts.size() + 1);
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
 // Between fork and exec, only system calls are allowed.
 [[noreturn]] void become_percuss(char* const* arguments, char* const* environment, const ProcessOptions& options,
                                  const Pipe& out, const Pipe& err) {
@@ -122,6 +113,14 @@ ProcessOutcome run_percuss(const std::vector<std::string>& arguments, const Proc
   };
   outcome.processor_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   return outcome;
+}
+
+std::vector<char*> c_strings(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
 }
 
 std::vector<std::string> lines_of(const std::string& text) {

@@ -40,6 +40,9 @@ struct ProcessOutcome {
 /// Runs the built percuss with these arguments, without a shell.
 ProcessOutcome run_percuss(const std::vector<std::string>& arguments, const ProcessOptions& options = {});
 
+/// A null-terminated list for exec, of pointers to the texts.
+std::vector<char*> c_strings(std::vector<std::string>& texts);
+
 /// The lines of a text, including a last line without a newline.
 std::vector<std::string> lines_of(const std::string& text);
 

@@ -1,10 +1,17 @@
 #include "support/scratch_folder.hpp"
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 namespace percuss::test {
+
+std::vector<std::string> ScratchFolder::names() const {
+  std::vector<std::string> out;
+  for (const auto& entry : std::filesystem::directory_iterator(path())) out.push_back(entry.path().filename());
+  return out;
+}
 
 std::string bytes_of(const std::string& path) {
   std::ostringstream bytes;

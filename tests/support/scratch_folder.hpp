@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "core/io/temporary_folder.hpp"
 
@@ -9,6 +10,9 @@ namespace percuss::test {
 class ScratchFolder : public TemporaryFolder {
  public:
   ScratchFolder() : TemporaryFolder("percuss-test") {}
+
+  /// The names of the files and folders in it, in no order.
+  std::vector<std::string> names() const;
 };
 
 /// The content of a file; empty when it cannot be read.

@@ -1,4 +1,5 @@
 #include "support/terminal_process.hpp"
+#include "support/percuss_process.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -21,15 +22,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kPatience{100};  // sanitizers are slow
 
-// A null-terminated list for exec.
-std::vector<char*> pointers_to(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  pointers.reserve(texts.size() + 1);
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
 }  // namespace
 
 TerminalProcess::TerminalProcess(std::vector<std::string> arguments, const TerminalOptions& options) {
@@ -37,7 +29,7 @@ TerminalProcess::TerminalProcess(std::vector<std::string> arguments, const Termi
   std::vector<std::string> environment = options.environment;  // the first value of a name counts
   environment.emplace_back("TERM=xterm");
   for (char** entry = environ; *entry != nullptr; ++entry) environment.emplace_back(*entry);
-  const std::vector<char*> words = pointers_to(arguments), settings = pointers_to(environment);
+  const std::vector<char*> words = c_strings(arguments), settings = c_strings(environment);
   winsize size{.ws_row = 40, .ws_col = options.columns, .ws_xpixel = 0, .ws_ypixel = 0};
   child_ = ::forkpty(&master_, nullptr, nullptr, &size);
   if (child_ < 0) throw std::runtime_error("no pseudo-terminal");

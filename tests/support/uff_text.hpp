@@ -51,4 +51,34 @@ std::string number_bytes(Number number, bool big = false) {
   return big ? std::string(out.rbegin(), out.rend()) : out;
 }
 
+/// A function of two numbers x and x + 1.
+inline std::string uff_function(UffText set, double x) {
+  set.values = 2;
+  return set.text(fmt::format("{:13.5E}{:13.5E}\n", x, x + 1));
+}
+
+/// The header of an FRF with two complex lines, at 10 and 12 Hz.
+inline UffText uff_frf_header(UffText set = {}) {
+  set.type = 4;
+  set.ordinate_type = 5;
+  set.values = 2;
+  set.abscissa = 18;
+  set.denominator = 13;
+  set.x0 = "  1.00000E+01";
+  set.dx = "  2.00000E+00";
+  return set;
+}
+
+/// An FRF of this header with the values (x, −x) and (2x, 0).
+inline std::string uff_frf(const UffText& header, double x = 1) {
+  return header.text(fmt::format("{:13.5E}{:13.5E}{:13.5E}{:13.5E}\n", x, -x, 2 * x, 0.0));
+}
+
+/// A data set 164. The factors convert metres and newtons to the units of the file: 1000 means millimetres.
+inline std::string uff_units(double length, double force) {
+  std::string numbers = fmt::format("{:25.17E}{:25.17E}{:25.17E}\n{:25.17E}\n", length, force, 1.0, 273.15);
+  for (char& c : numbers) c = c == 'E' ? 'D' : c;
+  return "    -1\n   164\n         9USER DEFINED                  2\n" + numbers + "    -1\n";
+}
+
 }  // namespace percuss::test

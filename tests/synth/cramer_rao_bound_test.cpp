@@ -5,7 +5,7 @@
 #include <cmath>
 #include <complex>
 
-namespace percuss::synth::synth_fisher_test {
+namespace percuss::synth::cramer_rao_bound_test {
 
 using std::numbers::pi;
 
@@ -73,4 +73,4 @@ TEST(CramerRaoBound, IsAbsentWithoutNoise) {
   EXPECT_FALSE(synthesise(spec).truth.bound.has_value());
 }
 
-}  // namespace percuss::synth::synth_fisher_test
+}  // namespace percuss::synth::cramer_rao_bound_test

@@ -11,7 +11,7 @@
 #include "core/math/fft.hpp"
 #include "synth/anti_alias_filter.hpp"
 
-namespace percuss::synth::synth_pulse_test {
+namespace percuss::synth::pulse_test {
 
 constexpr double kFs_Hz = 25600;
 
@@ -162,4 +162,4 @@ TEST(AntiAliasFilter, IsFlatInTheBandAndStopsItsImage) {
   }
 }
 
-}  // namespace percuss::synth::synth_pulse_test
+}  // namespace percuss::synth::pulse_test

@@ -7,12 +7,13 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "support/input_error.hpp"
 #include "support/json.hpp"
 #include "synth/read_spec.hpp"
 #include "synth/synthesise.hpp"
 #include "synth/truth_json.hpp"
 
-namespace percuss::synth::synth_spec_test {
+namespace percuss::synth::spec_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -20,12 +21,7 @@ using testing::HasSubstr;
 const std::string kStart = R"({"fs_hz": 1000, "samples": 1000)";
 
 std::string refusal(const std::string& text) {
-  try {
-    parse_synth_spec(text, "spec.json");
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "accepted";
+  return test::input_error_of([&] { parse_synth_spec(text, "spec.json"); });
 }
 
 std::string rejection_of(const std::string& rest) { return refusal(kStart + ", " + rest + "}"); }
@@ -115,12 +111,8 @@ TEST(Presets, AreTheFixturesOfTheSourceTree) {
 }
 
 TEST(Presets, AreListedWhenTheNameIsWrong) {
-  try {
-    synth_preset("steel-bat");
-    FAIL();
-  } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), AllOf(HasSubstr("steel-bat"), HasSubstr("wood-bat"), HasSubstr("composite-bat")));
-  }
+  EXPECT_THAT(test::input_error_of([] { synth_preset("steel-bat"); }),
+              AllOf(HasSubstr("steel-bat"), HasSubstr("wood-bat"), HasSubstr("composite-bat")));
 }
 
 TEST(TruthDocument, HoldsTheTrueModes) {
@@ -149,4 +141,4 @@ TEST(TruthDocument, ListsResiduesByPointForARovingHammer) {
   EXPECT_EQ(truth["A"][0].size(), 5U);
 }
 
-}  // namespace percuss::synth::synth_spec_test
+}  // namespace percuss::synth::spec_test

@@ -13,20 +13,22 @@ using test::schema_named;
 using test::schema_violations;
 using testing::IsEmpty;
 
-json json_without_comments(std::string_view text) { return json::parse(text.begin(), text.end(), nullptr, true, true); }
+json json_ignoring_comments(std::string_view text) {
+  return json::parse(text.begin(), text.end(), nullptr, true, true);
+}
 
 TEST(SynthSchema, AcceptsEveryPresetAndTheExample) {
   const json schema = schema_named("synth");
   for (const SynthPreset& preset : synth_presets()) {
-    EXPECT_THAT(schema_violations(json_without_comments(preset.text), schema), IsEmpty()) << preset.name;
+    EXPECT_THAT(schema_violations(json_ignoring_comments(preset.text), schema), IsEmpty()) << preset.name;
   }
-  EXPECT_THAT(schema_violations(json_without_comments(synth_example()), schema), IsEmpty());
+  EXPECT_THAT(schema_violations(json_ignoring_comments(synth_example()), schema), IsEmpty());
 }
 
 TEST(SynthSchema, HasTheKeysOfTheReader) {
   // The example has every key, and the schema accepts it. Reader and schema both refuse an unknown key.
   const json schema = schema_named("synth");
-  json document = json_without_comments(synth_example());
+  json document = json_ignoring_comments(synth_example());
   EXPECT_THAT(schema_violations(document, schema), IsEmpty());
   document["sampels"] = 3;
   EXPECT_EQ(schema_violations(document, schema).size(), 1U);
@@ -41,18 +43,6 @@ TEST(SynthSchema, AcceptsTheTruthOfEveryPreset) {
     EXPECT_THAT(schema_violations(test::parse_json(truth_json(synthesise(spec).truth)), schema), IsEmpty())
         << preset.name;
   }
-}
-
-TEST(SchemaViolations, AreSeen) {
-  const json schema = test::parse_json(R"({"type": "object", "additionalProperties": false, "required": ["a"],
-      "properties": {"a": {"type": "array", "minItems": 1, "items": {"type": "number", "minimum": 2}}, "b": {"enum": ["x"]}}})");
-  const auto broken = [&](const char* text) { return schema_violations(test::parse_json(text), schema).size(); };
-  EXPECT_EQ(broken(R"({"a": [2, 3], "b": "x"})"), 0U);
-  EXPECT_EQ(broken(R"({"a": [1, "3"]})"), 2U);
-  EXPECT_EQ(broken(R"({"a": []})"), 1U);
-  EXPECT_EQ(broken(R"({"b": "y", "c": 1})"), 3U);
-  EXPECT_EQ(broken("[]"), 1U);
-  EXPECT_EQ(schema_violations(3, test::parse_json(R"({"multipleOf": 2})")).size(), 1U);
 }
 
 }  // namespace percuss::synth::synth_schema_test

@@ -6,11 +6,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "support/record_samples.hpp"
 #include "synth/pulse.hpp"
 
-namespace percuss::synth::synth_record_test {
+namespace percuss::synth::synthesise_test {
 
 using std::numbers::pi;
+using test::accel_mps2;
+using test::force_N;
 
 /// A bat whose slowest mode decays to e^−27 within a row.
 SynthSpec bat() {
@@ -31,18 +34,6 @@ SynthSpec bat() {
   return spec;
 }
 
-std::vector<double> force(const acquire::Record& record, std::size_t row) {
-  std::vector<double> out(record.rows[row].samples);
-  record.read_force_N(row, 0, out);
-  return out;
-}
-
-std::vector<double> accel(const acquire::Record& record, std::size_t row, std::size_t channel) {
-  std::vector<double> out(record.rows[row].samples);
-  record.read_accel_mps2(row, channel, 0, out);
-  return out;
-}
-
 double rms(const std::vector<double>& x) {
   return std::sqrt(std::inner_product(x.begin(), x.end(), x.begin(), 0.0) / static_cast<double>(x.size()));
 }
@@ -56,9 +47,9 @@ TEST(Synthesise, HasTheExactAcceleranceAsItsRatioOfSpectra) {
   // (1e-12), and rounding over a spectrum whose lines differ by a factor of 1e3.
   constexpr double kTolerance = 1e-9;
   for (std::size_t row = 0; row < 2; ++row) {
-    const std::vector<Complex> f = real_dft(force(test.record, row));
+    const std::vector<Complex> f = real_dft(force_N(test.record, row));
     for (std::size_t c = 0; c < 2; ++c) {
-      const std::vector<Complex> a = real_dft(accel(test.record, row, c));
+      const std::vector<Complex> a = real_dft(accel_mps2(test.record, c, row));
       const std::vector<Complex> exact = exact_accelerance(test.truth, 0, c, freq_Hz);
       double error = 0, size = 0;
       for (std::size_t k = 50; k < lines; ++k) {
@@ -78,9 +69,9 @@ TEST(Synthesise, DoesNotDependOnThreadsButOnTheSeed) {
   spec.seed = 6;
   const SyntheticTest other = synthesise(spec);
   for (std::size_t row = 0; row < 2; ++row) {
-    EXPECT_EQ(force(one.record, row), force(many.record, row));
-    EXPECT_EQ(accel(one.record, row, 1), accel(many.record, row, 1));
-    EXPECT_NE(accel(one.record, row, 1), accel(other.record, row, 1));
+    EXPECT_EQ(force_N(one.record, row), force_N(many.record, row));
+    EXPECT_EQ(accel_mps2(one.record, 1, row), accel_mps2(many.record, 1, row));
+    EXPECT_NE(accel_mps2(one.record, 1, row), accel_mps2(other.record, 1, row));
   }
   EXPECT_EQ(one.truth.bound->freq_std_Hz, many.truth.bound->freq_std_Hz);
 }
@@ -94,8 +85,8 @@ TEST(Synthesise, AddsWhiteNoiseOfTheGivenLevel) {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
     return a;
   };
-  const std::vector<double> f = difference(force(noisy.record, 1), force(clean.record, 1));
-  const std::vector<double> a = difference(accel(noisy.record, 0, 1), accel(clean.record, 0, 1));
+  const std::vector<double> f = difference(force_N(noisy.record, 1), force_N(clean.record, 1));
+  const std::vector<double> a = difference(accel_mps2(noisy.record, 1, 0), accel_mps2(clean.record, 1, 0));
   constexpr double kFiveDeviations = 5 * 0.00276;  // of an RMS over 65536 values: 1/√(2·65536)
   EXPECT_LE(std::abs(rms(f) / noisy.truth.force_noise_N - 1), kFiveDeviations);
   EXPECT_LE(std::abs(rms(a) / noisy.truth.accel_noise_mps2[1] - 1), kFiveDeviations);
@@ -113,9 +104,9 @@ TEST(Synthesise, RunsRepeatTheHitsWithNewNoise) {
   const acquire::Record noisy = synthesise(spec).record;
   ASSERT_EQ(clean.rows.size(), 6U);
   EXPECT_EQ(clean.rows[5].run, 2);
-  EXPECT_EQ(accel(clean, 1, 0), accel(clean, 5, 0));
-  EXPECT_EQ(force(noisy, 1), force(noisy, 5));
-  EXPECT_NE(accel(noisy, 1, 0), accel(noisy, 5, 0));
+  EXPECT_EQ(accel_mps2(clean, 0, 1), accel_mps2(clean, 0, 5));
+  EXPECT_EQ(force_N(noisy, 1), force_N(noisy, 5));
+  EXPECT_NE(accel_mps2(noisy, 0, 1), accel_mps2(noisy, 0, 5));
 }
 
 TEST(Synthesise, RovingHammerNumbersItsPointsAndDrawsThem) {
@@ -143,10 +134,10 @@ TEST(Synthesise, ContinuousRowIsTheSumOfItsHits) {
   std::vector<double> sum(12800, 0.0);
   for (std::size_t missing = 0; missing < 2; ++missing) {
     spec.faults = {{.hit = missing, .kind = SynthFaultKind::missing}};
-    const std::vector<double> one = accel(synthesise(spec).record, 0, 0);
+    const std::vector<double> one = accel_mps2(synthesise(spec).record, 0, 0);
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += one[i];
   }
-  const std::vector<double> together = accel(both.record, 0, 0);
+  const std::vector<double> together = accel_mps2(both.record, 0, 0);
   constexpr double kTolerance = 1e-14;  // of the largest value: order of summation
   const double largest = *std::max_element(together.begin(), together.end());
   for (std::size_t i = 0; i < sum.size(); ++i) ASSERT_LE(std::abs(sum[i] - together[i]), kTolerance * largest) << i;
@@ -165,8 +156,8 @@ TEST(Synthesise, AcceptsAFreeMassWithoutModes) {
   spec.sensors = {{}};
   spec.structure.rigid_line_per_kg = {1 / 2.5};
   const SyntheticTest test = synthesise(spec);
-  const std::vector<double> f = force(test.record, 0), a = accel(test.record, 0, 0);
+  const std::vector<double> f = force_N(test.record, 0), a = accel_mps2(test.record, 0, 0);
   for (std::size_t i = 0; i < f.size(); ++i) ASSERT_DOUBLE_EQ(a[i], f[i] / 2.5);
 }
 
-}  // namespace percuss::synth::synth_record_test
+}  // namespace percuss::synth::synthesise_test

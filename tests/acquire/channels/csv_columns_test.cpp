@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "support/input_error.hpp"
-#include "support/messages.hpp"
 
 namespace percuss::acquire::csv_columns_test {
 

@@ -8,14 +8,11 @@
 
 #include "acquire/hits/pulse_shape.hpp"
 #include "support/force_row.hpp"
+#include "support/magnitude.hpp"
 
 namespace percuss::acquire::clipping_test {
 
 using std::numbers::pi;
-
-std::size_t largest_sample(const std::vector<double>& x) {
-  return static_cast<std::size_t>(std::max_element(x.begin(), x.end()) - x.begin());
-}
 
 // About eight samples per period: a peak has one or two samples at the top.
 std::vector<double> fast_decay(double peak, double tau) {
@@ -104,7 +101,7 @@ TEST(ClippedSamples, AreNoneInQuantisedSmoothPeaks) {
         std::vector<double> x(static_cast<std::size_t>(width) + 20);
         test::add_haversine(x, 10 + fraction, width, steps);
         for (double& value : x) value = std::round(value);
-        const PulseShape pulse = shape_of_pulse(x, largest_sample(x));
+        const PulseShape pulse = shape_of_pulse(x, test::largest_sample(x));
         const auto first = static_cast<std::size_t>(pulse.rise), last = static_cast<std::size_t>(pulse.fall) + 1;
         const auto pulse_alone = std::span(x).subspan(first, last - first);
         EXPECT_EQ(count_clipped_samples(pulse_alone, block_extremes(pulse_alone, kClippingBlock), x, 0), 0U)

@@ -7,15 +7,12 @@
 #include <numbers>
 
 #include "support/force_row.hpp"
+#include "support/magnitude.hpp"
 
 namespace percuss::acquire::pulse_shape_test {
 
 using std::numbers::pi;
-
-std::size_t largest_sample(const std::vector<double>& x) {
-  const auto further = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  return static_cast<std::size_t>(std::max_element(x.begin(), x.end(), further) - x.begin());
-}
+using test::largest_sample;
 
 PulseShape shape_of(const std::vector<double>& x) { return shape_of_pulse(x, largest_sample(x)); }
 

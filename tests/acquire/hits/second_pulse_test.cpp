@@ -6,15 +6,14 @@
 
 #include "acquire/hits/further_force.hpp"
 #include "support/force_row.hpp"
+#include "support/magnitude.hpp"
 
 namespace percuss::acquire::second_pulse_test {
 
 constexpr std::size_t kSamples = 6000;
 
 std::optional<SecondPulse> second_in(const std::vector<double>& x, double noise_N = 0) {
-  const auto further = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const auto peak = static_cast<std::size_t>(std::max_element(x.begin(), x.end(), further) - x.begin());
-  return second_pulse(x, shape_of_pulse(x, peak), noise_N);
+  return second_pulse(x, shape_of_pulse(x, test::largest_sample(x)), noise_N);
 }
 
 /// Two pulses of one width in samples, the second `delay` after the first (before it, when negative).

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "acquire/record/record.hpp"
-#include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
+#include "support/record_samples.hpp"
 
 namespace percuss::acquire::join_records_test {
 

@@ -8,9 +8,7 @@
 #include "support/confinement.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::readers_memory_test {
-
-using acquire::ReadersMemory;
+namespace percuss::acquire::readers_memory_test {
 
 TEST(ReadersMemory, LimitsTheSumOfAllReaders) {
   ReadersMemory memory(1000);
@@ -41,18 +39,18 @@ TEST(ReadersMemory, CountsWhatAReaderHasTaken) {
   std::vector<char> hoard;
   const auto open = [&] {
     hoard.assign(kHoard_bytes, 'x');
-    return acquire::SandboxService{"described", {}};
+    return SandboxService{"described", {}};
   };
   const int others = 0;
   constexpr std::size_t kRest_bytes = ReadersMemory::kPool_bytes - kHoard_bytes;
   {
-    const acquire::SandboxProcess reader(path, open);
-    EXPECT_TRUE(acquire::readers_memory().store(&others, 0, kRest_bytes / 2));
-    EXPECT_FALSE(acquire::readers_memory().store(&others, 0, kRest_bytes + 1000));
+    const SandboxProcess reader(path, open);
+    EXPECT_TRUE(readers_memory().store(&others, 0, kRest_bytes / 2));
+    EXPECT_FALSE(readers_memory().store(&others, 0, kRest_bytes + 1000));
   }
-  EXPECT_TRUE(acquire::readers_memory().store(&others, 0, kRest_bytes + 1000));
-  acquire::readers_memory().remove(&others);
+  EXPECT_TRUE(readers_memory().store(&others, 0, kRest_bytes + 1000));
+  readers_memory().remove(&others);
 }
 #endif
 
-}  // namespace percuss::readers_memory_test
+}  // namespace percuss::acquire::readers_memory_test

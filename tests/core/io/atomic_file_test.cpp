@@ -28,11 +28,6 @@ using Temporary = AtomicFile::Temporary;
 /// Every test runs twice: with an unnamed and with a named temporary file.
 class AtomicFileTest : public testing::TestWithParam<Temporary> {
  protected:
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_.path())) names.push_back(entry.path().filename());
-    return names;
-  }
   void write(const std::string& bytes, bool force) const {
     AtomicFile file(path_, force, GetParam());
     file.write(bytes);
@@ -66,7 +61,7 @@ TEST_P(AtomicFileTest, AppearsWholeAtTheEnd) {
     file.commit();
   }
   EXPECT_EQ(test::bytes_of(path_), "one two");
-  EXPECT_THAT(files(), ElementsAre("x.csv"));
+  EXPECT_THAT(folder_.names(), ElementsAre("x.csv"));
 }
 
 TEST_P(AtomicFileTest, HasTheModeOfOrdinaryFiles) {
@@ -85,7 +80,7 @@ TEST_P(AtomicFileTest, ReplacesOnlyWhenForced) {
   EXPECT_EQ(test::bytes_of(path_), "old");
   write("new", true);
   EXPECT_EQ(test::bytes_of(path_), "new");
-  EXPECT_THAT(files(), ElementsAre("x.csv"));
+  EXPECT_THAT(folder_.names(), ElementsAre("x.csv"));
 }
 
 TEST_P(AtomicFileTest, DoesNotReplaceAFileThatAppearedMeanwhile) {
@@ -100,7 +95,7 @@ TEST_P(AtomicFileTest, VanishesWithoutCommit) {
   test::write_bytes(path_, "old");
   { AtomicFile(path_, true, GetParam()).write("half"); }
   EXPECT_EQ(test::bytes_of(path_), "old");
-  EXPECT_THAT(files(), ElementsAre("x.csv"));
+  EXPECT_THAT(folder_.names(), ElementsAre("x.csv"));
 }
 
 TEST_P(AtomicFileTest, LeavesTheOldFileWhenTheWriterIsKilled) {
@@ -112,10 +107,10 @@ TEST_P(AtomicFileTest, LeavesTheOldFileWhenTheWriterIsKilled) {
   })));
   EXPECT_EQ(test::bytes_of(path_), "old");
   if (GetParam() == Temporary::unnamed_if_possible) {
-    EXPECT_THAT(files(), ElementsAre("x.csv"));
+    EXPECT_THAT(folder_.names(), ElementsAre("x.csv"));
   }
   write("new", true);  // also removes the temporary file of the killed writer
-  EXPECT_THAT(files(), ElementsAre("x.csv"));
+  EXPECT_THAT(folder_.names(), ElementsAre("x.csv"));
 }
 
 TEST_P(AtomicFileTest, CanBeRemovedByASignalHandler) {
@@ -126,7 +121,7 @@ TEST_P(AtomicFileTest, CanBeRemovedByASignalHandler) {
               ::_exit(7);
             }),
             W_EXITCODE(7, 0));
-  EXPECT_THAT(files(), IsEmpty());
+  EXPECT_THAT(folder_.names(), IsEmpty());
 }
 
 TEST_P(AtomicFileTest, KeepsTheFilesOfOtherWriters) {
@@ -137,7 +132,7 @@ TEST_P(AtomicFileTest, KeepsTheFilesOfOtherWriters) {
   EXPECT_EQ(test::bytes_of(path_), "first");
   second.commit();
   EXPECT_EQ(test::bytes_of(path_), "second");
-  EXPECT_THAT(files(), ElementsAre("x.csv"));
+  EXPECT_THAT(folder_.names(), ElementsAre("x.csv"));
 }
 
 TEST_P(AtomicFileTest, RemovesWhatKilledWritersLeft) {
@@ -149,7 +144,7 @@ TEST_P(AtomicFileTest, RemovesWhatKilledWritersLeft) {
   write("new", false);
   EXPECT_FALSE(fs::exists(folder_.file(".x.csv.percuss-99999999")));
   EXPECT_FALSE(fs::exists(folder_.file(".x.csv.percuss-99999999-7")));
-  EXPECT_EQ(files().size(), others.size() + 2);
+  EXPECT_EQ(folder_.names().size(), others.size() + 2);
 }
 
 TEST_P(AtomicFileTest, RefusesSymbolicLinksWhereAskedTo) {
@@ -196,7 +191,7 @@ TEST_P(AtomicFileTest, ReportsAFullDisk) {
               ::_exit(message.find(path_) == std::string::npos ? 1 : 7);
             }),
             W_EXITCODE(7, 0));
-  EXPECT_THAT(files(), IsEmpty());
+  EXPECT_THAT(folder_.names(), IsEmpty());
 }
 
 /// The files of a group, with the same two kinds of temporary file.
@@ -222,7 +217,7 @@ TEST_P(OutputGroupTest, AppearsAsAWhole) {
     EXPECT_EQ(test::bytes_of(folder_.file("b")), "old");
     outputs.commit();
   }
-  EXPECT_THAT(files(), testing::UnorderedElementsAre("a", "b"));
+  EXPECT_THAT(folder_.names(), testing::UnorderedElementsAre("a", "b"));
   EXPECT_EQ(test::bytes_of(folder_.file("a")), "new a");
   EXPECT_EQ(test::bytes_of(folder_.file("b")), "new b");
   write_as("c", "alone again", false);
@@ -237,7 +232,7 @@ TEST_P(OutputGroupTest, VanishesWhenOneFails) {
                 outputs.commit();
               }),
               HasSubstr("missing/b"));
-  EXPECT_THAT(files(), IsEmpty());
+  EXPECT_THAT(folder_.names(), IsEmpty());
   // Both would be new, but a file appears at the last moment.
   EXPECT_THAT(input_error_of([&] {
                 OutputGroup outputs;
@@ -247,7 +242,7 @@ TEST_P(OutputGroupTest, VanishesWhenOneFails) {
                 outputs.commit();
               }),
               HasSubstr("file exists"));
-  EXPECT_THAT(files(), ElementsAre("b"));
+  EXPECT_THAT(folder_.names(), ElementsAre("b"));
   EXPECT_EQ(test::bytes_of(folder_.file("b")), "other");
 }
 
@@ -260,7 +255,7 @@ TEST_P(OutputGroupTest, IsWithdrawnWhenARenameFails) {
               outputs.commit();
             }),
             "");
-  EXPECT_THAT(files(), ElementsAre("b"));
+  EXPECT_THAT(folder_.names(), ElementsAre("b"));
 }
 
 TEST_P(OutputGroupTest, LeavesItsFilesToTheOuterGroup) {
@@ -272,7 +267,7 @@ TEST_P(OutputGroupTest, LeavesItsFilesToTheOuterGroup) {
   }
   EXPECT_FALSE(fs::exists(folder_.file("a")));
   outer.commit();
-  EXPECT_THAT(files(), ElementsAre("a"));
+  EXPECT_THAT(folder_.names(), ElementsAre("a"));
 }
 
 TEST(WriteFile, WritesAllAtOnce) {

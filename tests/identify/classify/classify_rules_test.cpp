@@ -81,12 +81,10 @@ TEST(SplitMode, EndsAt25Hertz) {
 
 TEST(SplitMode, ExcludesABendingAndAHoopMode) {
   const auto found = classifications({bending(1895, 0.0), hoop(1912)});
-  if (found[0].type != found[1].type) {
-    EXPECT_FALSE(found[0].split_mode);
-    EXPECT_FALSE(found[1].split_mode);
-  }
-  EXPECT_EQ(found[1].type, ModeType::hoop);
-  EXPECT_EQ(found[0].type, ModeType::bending);
+  ASSERT_EQ(found[0].type, ModeType::bending);
+  ASSERT_EQ(found[1].type, ModeType::hoop);
+  EXPECT_FALSE(found[0].split_mode);
+  EXPECT_FALSE(found[1].split_mode);
 }
 
 TEST(SplitMode, OfThreeTakesTheFirstTwo) {

@@ -34,7 +34,7 @@ TEST(WrappedDensity, IsNeverZeroAndUniformForALargeDeviation) {
 }
 
 TEST(RatioLikelihood, ConsistsOfDensities) {
-  constexpr double kTolerance = 0.02;  // loose: the lower limit of a density adds less than 1e-6
+  constexpr double kTolerance = 1e-5;  // the lower limit of a density adds less than 1e-6
   for (const double second : {pi / 2, pi / 3, -pi / 2}) {
     const RatioLikelihood likelihood(0, second, kPlaced);
     EXPECT_NEAR(integral([&](const RatioAngle& r) { return likelihood.bending(r); }), 1, kTolerance);

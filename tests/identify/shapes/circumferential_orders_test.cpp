@@ -107,7 +107,7 @@ TEST(TubeShape, DividesTheEnergyOfAMixture) {
   EXPECT_EQ(tube->order, 2);
   EXPECT_NEAR(tube->energy[2], 0.8, kRounding);
   EXPECT_NEAR(tube->energy[1], 0.2, kRounding);
-  EXPECT_LT(tube->confidence, tube_shape(pattern(geometry, 2, 0.3, flat), geometry)->confidence + kRounding);
+  EXPECT_LT(tube->confidence, tube_shape(pattern(geometry, 2, 0.3, flat), geometry)->confidence);
 }
 
 TEST(TubeShape, IsUncertainForAnEqualMixture) {

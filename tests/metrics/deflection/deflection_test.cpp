@@ -8,6 +8,7 @@
 
 #include "core/units.hpp"
 #include "metrics/deflection/baseline_drift.hpp"
+#include "support/magnitude.hpp"
 #include "synth/pulse.hpp"
 
 namespace percuss::metrics::deflection_test {
@@ -61,12 +62,6 @@ ImpactSignal signal_of(const Impact& test) {
   return {.fs_Hz = test.fs_Hz, .accel_mps2 = test.accel_mps2, .onset_s = test.onset_s, .force_N = {}, .modes = {}};
 }
 
-double largest(const std::vector<double>& x) {
-  double most = 0;
-  for (const double value : x) most = std::max(most, std::abs(value));
-  return most;
-}
-
 // The force has corners, so its samples are not band-limited. Aliasing changes its integral by (Δt/T)²·π²/12.
 constexpr double kFine_Hz = 200000;
 constexpr double kAliasing = 2.5e-6;
@@ -75,10 +70,13 @@ TEST(Deflection, IsExactForACleanRecord) {
   const Impact test = impact(kFine_Hz, 0.02, 0.3);
   const Deflection found = deflection_of(signal_of(test));
   EXPECT_EQ(found.method, DeflectionMethod::drift_free);
-  EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), kAliasing * largest(test.deflection_m));
+  EXPECT_NEAR(std::abs(found.peak_m), test::largest_magnitude(test.deflection_m),
+              kAliasing * test::largest_magnitude(test.deflection_m));
   // The error of the velocity after the pulse grows with the time: by ωt = 25 in 0.28 s.
   for (std::size_t i = 0; i < test.deflection_m.size(); i += 500)
-    EXPECT_NEAR(found.deflection_m[i], test.deflection_m[i], 30 * kAliasing * largest(test.deflection_m)) << i;
+    EXPECT_NEAR(found.deflection_m[i], test.deflection_m[i],
+                30 * kAliasing * test::largest_magnitude(test.deflection_m))
+        << i;
 }
 
 // Behind an anti-alias filter, the deflection is the filtered one. The reference follows from the filtered force, not
@@ -104,7 +102,8 @@ TEST(Deflection, IsExactForAFilteredRecordAtEverySamplingRate) {
     const auto truth = modal_deflection(force, fs_Hz, modes, 0).deflection_m;
     const Deflection found =
         deflection_of({.fs_Hz = fs_Hz, .accel_mps2 = accel, .onset_s = 0.1, .force_N = {}, .modes = {}});
-    EXPECT_NEAR(std::abs(found.peak_m), largest(truth), kTolerance * largest(truth)) << fs_Hz;
+    EXPECT_NEAR(std::abs(found.peak_m), test::largest_magnitude(truth), kTolerance * test::largest_magnitude(truth))
+        << fs_Hz;
   }
 }
 
@@ -121,7 +120,8 @@ TEST(Deflection, RemovesBiasAndDriftWithinItsStandardDeviation) {
       test.accel_mps2[i] += bias + drift * static_cast<double>(i) / test.fs_Hz + 0.3 * gauss(random);
     const Deflection found = deflection_of(signal_of(test));
     EXPECT_TRUE(found.zero_mean_corrected);
-    EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), 0.002 * largest(test.deflection_m));
+    EXPECT_NEAR(std::abs(found.peak_m), test::largest_magnitude(test.deflection_m),
+                0.002 * test::largest_magnitude(test.deflection_m));
     for (std::size_t i = 2100; i < test.deflection_m.size(); i += 1000, ++count) {
       const double z = (found.deflection_m[i] - test.deflection_m[i]) / found.std_m[i];
       EXPECT_LE(std::abs(z), 4.5);  // 20 records, some 20 samples of each
@@ -143,10 +143,10 @@ TEST(Deflection, DoesNotReportARandomWalkAsThePeak) {
     Impact test = clean;
     for (double& a : test.accel_mps2) a += 3 * gauss(random);
     const Deflection found = deflection_of(signal_of(test), {.free_body = true});
-    EXPECT_LE(std::abs(found.peak_m), 2 * largest(test.deflection_m)) << trial;
+    EXPECT_LE(std::abs(found.peak_m), 2 * test::largest_magnitude(test.deflection_m)) << trial;
     EXPECT_NEAR(found.peak_m, test.deflection_m[found.peak], 4.5 * found.peak_std_m) << trial;
     EXPECT_LE(found.peak_std_m, std::abs(found.peak_m) / 4) << trial;
-    EXPECT_GT(found.std_m.back(), largest(test.deflection_m)) << trial;
+    EXPECT_GT(found.std_m.back(), test::largest_magnitude(test.deflection_m)) << trial;
   }
 }
 
@@ -196,7 +196,8 @@ TEST(Deflection, FromModesNeedsNoRestBeforeTheImpact) {
   signal.modes = {{.pole = pole(), .residue_per_kg = kResidue_per_kg}};
   const Deflection found = deflection_of(signal);
   EXPECT_EQ(found.method, DeflectionMethod::modal);
-  EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), 1e-3 * largest(test.deflection_m));
+  EXPECT_NEAR(std::abs(found.peak_m), test::largest_magnitude(test.deflection_m),
+              1e-3 * test::largest_magnitude(test.deflection_m));
 }
 
 // A free body moves away; the modes alone cannot show it. A held structure has no rigid-body motion.
@@ -306,7 +307,8 @@ TEST(Deflection, IsRightInTheFrequencyDomainForARecordThatComesToRest) {
   const Impact test = impact(4000, 2, 10);
   const Deflection found = deflection_of(signal_of(test), {.method = DeflectionMethod::frequency, .lowest_Hz = 0.4});
   // Motion slower than lowest_Hz is lost: a few per cent of a decay with ζω = 1.1/s.
-  EXPECT_NEAR(std::abs(found.peak_m), largest(test.deflection_m), 0.03 * largest(test.deflection_m));
+  EXPECT_NEAR(std::abs(found.peak_m), test::largest_magnitude(test.deflection_m),
+              0.03 * test::largest_magnitude(test.deflection_m));
 }
 
 TEST(MotionOnset, IsWhereTheMotionBegins) {

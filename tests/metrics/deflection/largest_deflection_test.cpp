@@ -10,6 +10,7 @@
 
 #include "core/math/statistics.hpp"
 #include "core/units.hpp"
+#include "support/magnitude.hpp"
 
 namespace percuss::metrics::largest_deflection_test {
 
@@ -56,12 +57,6 @@ Record record(const std::vector<Swing>& swings, double rest_s, double length_s) 
   return out;
 }
 
-double largest(const std::vector<double>& x) {
-  double most = 0;
-  for (const double value : x) most = std::max(most, std::abs(value));
-  return most;
-}
-
 struct WeakRecords {
   const char* name;
   std::vector<Swing> swings;
@@ -89,7 +84,7 @@ struct Errors {
 Errors errors_of(const WeakRecords& of, unsigned seed) {
   constexpr int kTrials = 200;
   const Record clean = record(of.swings, of.rest_s, of.length_s);
-  const double true_m = largest(clean.deflection_m);
+  const double true_m = test::largest_magnitude(clean.deflection_m);
   std::mt19937 random(seed);
   std::normal_distribution<double> gauss;
   Errors out;
@@ -137,7 +132,7 @@ TEST(LargestDeflection, IsTheLargestSampleOfAClearRecord) {
   for (double& a : accel) a += 1e-4 * gauss(random);
   const Deflection found =
       deflection_of({.fs_Hz = kFs_Hz, .accel_mps2 = accel, .onset_s = kRest_s, .force_N = {}, .modes = {}});
-  EXPECT_EQ(std::abs(found.peak_m), largest(found.deflection_m));
+  EXPECT_EQ(std::abs(found.peak_m), test::largest_magnitude(found.deflection_m));
 }
 
 }  // namespace percuss::metrics::largest_deflection_test

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "metrics/protocol/resolution.hpp"
-#include "support/messages.hpp"
+#include "support/input_error.hpp"
 
 namespace percuss::metrics::bat_metrics_test {
 

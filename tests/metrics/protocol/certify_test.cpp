@@ -19,6 +19,7 @@ using testing::Field;
 using testing::HasSubstr;
 
 constexpr double kMph = kMilePerHour_mps;
+constexpr double kRounding = 1e-12;  // means of six values near 1
 
 Session fresh_session() {
   return {.bat = {.id = "b", .length_in = 33, .moi_ozin2 = 9600, .days_in_lab = 3},
@@ -58,6 +59,13 @@ Certification run_session(Session& s, const std::function<double(double)>& barre
     c = certify(s);
   }
   return c;
+}
+
+const TestedLocation* location_at(const Certification& c, double z_in) {
+  for (const TestedLocation& location : c.locations) {
+    if (location.z_in == z_in) return &location;
+  }
+  return nullptr;
 }
 
 double peak(double z_in) { return 0.72 - 0.01 * std::abs(z_in - 5.5); }
@@ -241,10 +249,25 @@ TEST(Certify, CountsOnlyTheFirstSixShots) {
 TEST(Certify, CompletesABetterLocationThatHasStarted) {
   Session s = fresh_session();
   s.shots.push_back(shot_with(s, 8, 0.727));
-  Certification c = run_session(s, peak);
-  EXPECT_EQ(c.verdict, CertifyVerdict::pass);  // its other five shots follow `peak`
-  EXPECT_TRUE(std::any_of(c.locations.begin(), c.locations.end(),
-                          [](const TestedLocation& l) { return l.z_in == 8 && (l.complete || l.mean <= 0.72); }));
+  const Certification c = run_session(s, [](double z_in) { return z_in == 8 ? 0.727 : peak(z_in); });
+  const TestedLocation* const location = location_at(c, 8);
+  ASSERT_NE(location, nullptr);
+  EXPECT_TRUE(location->complete);
+  EXPECT_NEAR(location->mean, 0.727, kRounding);
+  EXPECT_EQ(c.sweet_spot_in, 8);
+}
+
+TEST(Certify, LeavesAStartedLocationThatIsNotBetter) {
+  Session s = fresh_session();
+  s.shots.push_back(shot_with(s, 8, 0.727));
+  const Certification c = run_session(s, peak);  // its second shot lowers its mean below the best location
+  EXPECT_EQ(c.verdict, CertifyVerdict::pass);
+  EXPECT_EQ(c.sweet_spot_in, 5.5);
+  const TestedLocation* const location = location_at(c, 8);
+  ASSERT_NE(location, nullptr);
+  EXPECT_FALSE(location->complete);
+  EXPECT_EQ(location->valid, 2U);
+  EXPECT_LT(location->mean, *c.best);
 }
 
 TEST(Certify, CorrectsByTheLotAfterThirtyHits) {

@@ -99,18 +99,18 @@ TEST(StudyDocuments, RejectDocumentsWithoutTheirBatAndContradictions) {
   EXPECT_FALSE(states_in_document(R"({"schema": "percuss/study-table/1", "bats": []})", "t"));
 }
 
-// Documents of an unexpected shape are read or rejected, without a crash. Each element of "cycles" is a state of the
-// bat, also when its id repeats or is missing.
-TEST(StudyDocuments, SurviveOtherShapes) {
-  for (const char* text :
-       {R"({"schema": "percuss/metrics/1", "bats": 3})", R"({"schema": "percuss/metrics/1", "bats": [1]})",
-        R"({"schema": "percuss/certify/1", "bat": []})", R"({"schema": "percuss/analysis/1"})", R"({"schema": 3})",
-        R"({"schema": "percuss/certify/1", "bat": {"id": 3}})"}) {
-    try {
-      joined({text});
-    } catch (const InputError&) {
-    }
-  }
+TEST(StudyDocuments, RejectDocumentsOfOtherShapes) {
+  const auto error = [](const char* text) { return input_error_of([&] { joined({text}); }); };
+  EXPECT_THAT(error(R"({"schema": "percuss/metrics/1", "bats": 3})"), HasSubstr("do not name their bat"));
+  EXPECT_THAT(error(R"({"schema": "percuss/metrics/1", "bats": [1]})"), HasSubstr("do not name their bat"));
+  EXPECT_THAT(error(R"({"schema": "percuss/certify/1", "bat": []})"), HasSubstr("does not name its bat"));
+  EXPECT_THAT(error(R"({"schema": "percuss/certify/1", "bat": {"id": 3}})"), HasSubstr("does not name its bat"));
+  EXPECT_THAT(error(R"({"schema": "percuss/analysis/1"})"), HasSubstr("does not name its bat"));
+  EXPECT_THAT(error(R"({"schema": 3})"), HasSubstr("???"));
+}
+
+// Also when its id repeats or is missing.
+TEST(StudyDocuments, TakeEachCycleAsAState) {
   const auto same =
       states_in_document(R"({"schema": "percuss/abi/1", "bat": "A", "cycles": [{"id": "A"}, {"id": "A"}, 3]})", "d");
   ASSERT_TRUE(same);

@@ -9,9 +9,9 @@
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
 #include "acquire/formats/hdf5/hdf5_input.hpp"
 #include "acquire/formats/hdf5/read_hdf5.hpp"
-#include "support/csv_text.hpp"
 #include "support/hdf5_builder.hpp"
 #include "support/input_error.hpp"
+#include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 
 // Records in HDF5 with unusual shapes, types, attributes and storage.
@@ -36,6 +36,16 @@ class Hdf5Limits : public testing::Test {
     file.numbers("", "fs", {1000}).values("force", {3}, {1, 2, 3}).values("accel", {2, 3}, {4, 5, 6, 7, 8, 9});
     add(file);
   }
+  // A record of one hit of three samples, whose accelerations 4, 5, 6 are stored with this type and these properties.
+  void write_filtered(hid_t type, const Handle& creation) const {
+    Hdf5Builder file(path_);
+    file.numbers("", "fs", {1000}).values("force", {3}, {1, 2, 3});
+    const hsize_t three = 3;
+    const Handle space(H5Screate_simple(1, &three, nullptr));
+    const Handle set(H5Dcreate2(file.id(), "accel", type, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT));
+    const std::array<double, 3> values{4, 5, 6};
+    ASSERT_GE(H5Dwrite(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+  }
   std::string refusal(const ReadOptions& options = {}) const {
     return input_error_of([&] {
       const Record record = open_hdf5(path_, options);
@@ -51,6 +61,14 @@ class Hdf5Limits : public testing::Test {
   test::ScratchFolder folder_;
   std::string path_ = folder_.file("r.h5");
 };
+
+/// Properties of a data set in chunks of three samples, still without filters.
+Handle chunks_of_three() {
+  Handle creation(H5Pcreate(H5P_DATASET_CREATE));
+  const hsize_t three = 3;
+  H5Pset_chunk(creation.get(), 1, &three);
+  return creation;
+}
 
 // A chunked data set of doubles with the gzip filter. The caller writes the stored bytes of its chunks.
 Handle chunked(hid_t file, const char* name, const std::vector<hsize_t>& shape, const std::vector<hsize_t>& chunk) {
@@ -211,38 +229,18 @@ TEST_F(Hdf5Limits, AttributesOfAnotherKindAreRefused) {
 }
 
 TEST_F(Hdf5Limits, ChecksumsAndShufflingAreRead) {
-  {
-    Hdf5Builder file(path_);
-    file.numbers("", "fs", {1000}).values("force", {3}, {1, 2, 3});
-    const Handle creation(H5Pcreate(H5P_DATASET_CREATE));
-    const hsize_t three = 3;
-    H5Pset_chunk(creation.get(), 1, &three);
-    H5Pset_shuffle(creation.get());
-    H5Pset_deflate(creation.get(), 1);
-    H5Pset_fletcher32(creation.get());
-    const Handle space(H5Screate_simple(1, &three, nullptr));
-    const Handle set(
-        H5Dcreate2(file.id(), "accel", H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT));
-    const std::array<double, 3> values{4, 5, 6};
-    ASSERT_GE(H5Dwrite(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
-  }
+  const Handle filters = chunks_of_three();
+  H5Pset_shuffle(filters.get());
+  H5Pset_deflate(filters.get(), 1);
+  H5Pset_fletcher32(filters.get());
+  write_filtered(H5T_IEEE_F64LE, filters);
   EXPECT_THAT(accel_mps2(open_hdf5(path_)), ElementsAre(4, 5, 6));
 }
 
 TEST_F(Hdf5Limits, OtherFiltersAreRefused) {
-  {
-    Hdf5Builder file(path_);
-    file.numbers("", "fs", {1000}).values("force", {3}, {1, 2, 3});
-    const Handle creation(H5Pcreate(H5P_DATASET_CREATE));
-    const hsize_t three = 3;
-    H5Pset_chunk(creation.get(), 1, &three);
-    H5Pset_nbit(creation.get());
-    const Handle space(H5Screate_simple(1, &three, nullptr));
-    const Handle set(
-        H5Dcreate2(file.id(), "accel", H5T_STD_I32LE, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT));
-    const std::array<double, 3> values{4, 5, 6};
-    ASSERT_GE(H5Dwrite(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
-  }
+  const Handle filters = chunks_of_three();
+  H5Pset_nbit(filters.get());
+  write_filtered(H5T_STD_I32LE, filters);
   EXPECT_THAT(refusal(), HasSubstr("compressed with filter 5 (nbit)"));
 }
 

@@ -9,10 +9,13 @@
 #include "support/hdf5_builder.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
+#include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::acquire::hdf5_read_test {
+namespace percuss::acquire::read_hdf5_test {
 
+using test::accel_mps2;
+using test::force_N;
 using test::Hdf5Builder;
 using test::input_error_of;
 using test::ramp_value;
@@ -20,16 +23,6 @@ using testing::HasSubstr;
 
 class Hdf5Read : public testing::Test {
  protected:
-  std::vector<double> force_N(const Record& record, std::size_t row) const {
-    std::vector<double> out(record.rows.at(row).samples);
-    record.read_force_N(row, 0, out);
-    return out;
-  }
-  std::vector<double> accel_mps2(const Record& record, std::size_t row, std::size_t channel) const {
-    std::vector<double> out(record.rows.at(row).samples);
-    record.read_accel_mps2(row, channel, 0, out);
-    return out;
-  }
   /// ramp_value of `count` elements from `first`, times `scale`.
   std::vector<double> ramp(std::size_t first, std::size_t count, double scale = 1) const {
     std::vector<double> out;
@@ -41,7 +34,7 @@ class Hdf5Read : public testing::Test {
       const std::size_t samples = record.rows[row].samples;
       EXPECT_EQ(force_N(record, row), ramp(row * samples, samples));
       for (std::size_t c = 0; c < record.accel.size(); ++c) {
-        EXPECT_EQ(accel_mps2(record, row, c), ramp((row * record.accel.size() + c) * samples, samples));
+        EXPECT_EQ(accel_mps2(record, c, row), ramp((row * record.accel.size() + c) * samples, samples));
       }
     }
   }
@@ -161,7 +154,7 @@ TEST_F(Hdf5Read, ConvertsUnitsInTextsOfFixedAndVariableLength) {
     const Record record = open_hdf5(path_);
     EXPECT_EQ(record.force.unit, "lbf");
     EXPECT_EQ(force_N(record, 1), ramp(9, 9, kPoundForce_N));
-    EXPECT_EQ(accel_mps2(record, 1, 0), ramp(9, 9, kStandardGravity_mps2));
+    EXPECT_EQ(accel_mps2(record, 0, 1), ramp(9, 9, kStandardGravity_mps2));
   }
 }
 
@@ -185,7 +178,7 @@ TEST_F(Hdf5Read, PrefersTheUsersStatementsToTheFiles) {
   EXPECT_EQ(record.accel[1].angle_rad, 1.5);
   EXPECT_EQ(record.accel[1].position_m, 0.25);
   EXPECT_EQ(force_N(record, 0), ramp(0, 9, -2));
-  EXPECT_EQ(accel_mps2(record, 1, 0), ramp(45, 9, kStandardGravity_mps2));
+  EXPECT_EQ(accel_mps2(record, 0, 1), ramp(45, 9, kStandardGravity_mps2));
   EXPECT_EQ(accel_mps2(record, 1, 1), ramp(27, 9, -kStandardGravity_mps2));
 }
 
@@ -207,7 +200,7 @@ TEST_F(Hdf5Read, OmitsChannelsThatTheSetupIgnores) {
   const Record record = open_hdf5(path_, {.setup = {{.name = "2", .role = "ignore"}}});
   ASSERT_EQ(record.accel.size(), 2u);
   EXPECT_EQ(record.accel[1].name, "accel 3");
-  EXPECT_EQ(accel_mps2(record, 0, 1), ramp(18, 9));
+  EXPECT_EQ(accel_mps2(record, 1, 0), ramp(18, 9));
 }
 
 TEST_F(Hdf5Read, RefusesChannelsThatDoNotExist) {
@@ -227,7 +220,7 @@ TEST_F(Hdf5Read, NamesTheSampleThatIsNotFinite) {
   accel[(1 * 2 + 1) * 9 + 4] = std::numeric_limits<double>::quiet_NaN();
   Hdf5Builder(path_).numbers("", "fs", {1000}).ramp("force", {2, 9}).values("accel", {2, 2, 9}, accel);
   const Record record = open_hdf5(path_);
-  EXPECT_EQ(accel_mps2(record, 0, 1), std::vector<double>(9, 1.0));
+  EXPECT_EQ(accel_mps2(record, 1, 0), std::vector<double>(9, 1.0));
   EXPECT_THAT(input_error_of([&] { accel_mps2(record, 1, 1); }), HasSubstr("/accel[1, 1, 4]"));
   std::vector<double> part(3);
   EXPECT_THAT(input_error_of([&] { record.read_accel_mps2(1, 1, 3, part); }), HasSubstr("/accel[1, 1, 4]"));
@@ -252,4 +245,4 @@ TEST_F(Hdf5Read, ServesSeveralThreads) {
   for (auto& thread : threads) thread.join();
 }
 
-}  // namespace percuss::acquire::hdf5_read_test
+}  // namespace percuss::acquire::read_hdf5_test

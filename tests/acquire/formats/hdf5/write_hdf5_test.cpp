@@ -16,7 +16,7 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::acquire::hdf5_write_test {
+namespace percuss::acquire::write_hdf5_test {
 
 using test::input_error_of;
 using testing::HasSubstr;
@@ -55,13 +55,6 @@ class Hdf5Write : public testing::Test {
         EXPECT_EQ(x, y);
       }
     }
-  }
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
-      names.push_back(entry.path().filename());
-    }
-    return names;
   }
 
   test::ScratchFolder folder_;
@@ -145,7 +138,7 @@ TEST_F(Hdf5Write, RefusesRecordsThatTheLayoutCannotHold) {
   record.rows.clear();
   EXPECT_THAT(input_error_of([&] { write_hdf5(path_, record, false); }), HasSubstr("no hits"));
   EXPECT_THAT(input_error_of([&] { write_hdf5(path_, make_record(1, 0, 50), false); }), HasSubstr("no acceleration"));
-  EXPECT_THAT(files(), testing::IsEmpty());
+  EXPECT_THAT(folder_.names(), testing::IsEmpty());
 }
 
 TEST_F(Hdf5Write, LeavesNothingWhenTheSamplesCannotBeRead) {
@@ -156,7 +149,7 @@ TEST_F(Hdf5Write, LeavesNothingWhenTheSamplesCannotBeRead) {
   };
   EXPECT_THAT(input_error_of([&] { write_hdf5(path_, record, true); }), HasSubstr("elsewhere"));
   EXPECT_EQ(test::bytes_of(path_), "old");
-  EXPECT_THAT(files(), testing::ElementsAre("r.h5"));
+  EXPECT_THAT(folder_.names(), testing::ElementsAre("r.h5"));
 }
 
 TEST_F(Hdf5Write, LeavesTheOldFileWhenKilledAndTheNextWriterCleansUp) {
@@ -175,7 +168,7 @@ TEST_F(Hdf5Write, LeavesTheOldFileWhenKilledAndTheNextWriterCleansUp) {
   ASSERT_TRUE(WIFSIGNALED(status));
   EXPECT_EQ(test::bytes_of(path_), "old");
   write_hdf5(path_, make_record(2, 1, 50), true);
-  EXPECT_THAT(files(), testing::ElementsAre("r.h5"));
+  EXPECT_THAT(folder_.names(), testing::ElementsAre("r.h5"));
 }
 
 /// Runs in a separate process, because it limits the size of every file that the process writes. The limit stands in
@@ -199,4 +192,4 @@ TEST_F(Hdf5Write, SurvivesAFullDisk) {
   EXPECT_EXIT(fill_the_disk(path_, make_record(2, 1, 5000), make_record(2, 1, 5)), testing::ExitedWithCode(3), "");
 }
 
-}  // namespace percuss::acquire::hdf5_write_test
+}  // namespace percuss::acquire::write_hdf5_test

@@ -12,11 +12,8 @@
 #include "support/mat_builder.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace percuss::mat_file_test {
+namespace percuss::acquire::mat_file_test {
 
-using acquire::find_variable;
-using acquire::MatFile;
-using acquire::read_mat_file;
 using test::input_error_of;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -191,4 +188,4 @@ TEST_F(MatFiles, AreRefusedWhenNoMatFile) {
   EXPECT_THAT(input_error_of([&] { read_mat_file(path_); }), HasSubstr("cannot be read"));
 }
 
-}  // namespace percuss::mat_file_test
+}  // namespace percuss::acquire::mat_file_test

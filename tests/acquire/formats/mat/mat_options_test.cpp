@@ -8,9 +8,10 @@
 #include "acquire/formats/mat/mat_completeness.hpp"
 #include "acquire/formats/mat/mat_file.hpp"
 #include "acquire/formats/mat/read_mat.hpp"
-#include "support/csv_text.hpp"
 #include "support/input_error.hpp"
+#include "support/mat_variables.hpp"
 #include "support/messages.hpp"
+#include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 
 // The choice of variables of a MAT file by options, and headers in either byte order.
@@ -19,29 +20,19 @@ namespace percuss::acquire::mat_options_test {
 using test::accel_mps2;
 using test::force_N;
 using test::input_error_of;
+using test::mat_numbers;
+using test::mat_record_of;
+using test::mat_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-MatVariable numbers(const std::string& name, const std::vector<std::size_t>& shape, const std::vector<double>& real) {
-  return {.name = name, .shape = shape, .real = real};
-}
-
-MatVariable text(const std::string& name, const std::string& content) {
-  return {.name = name, .shape = {1, content.size()}, .text = content, .is_text = true};
-}
-
-MatFile file_of(const std::vector<MatVariable>& variables) {
-  MatFile file{.path = "x.mat", .bytes = 1000, .variables = variables};
-  file.variables.push_back(numbers("fs", {1, 1}, {1000}));
-  return file;
-}
-
 // A force of three samples, and two channels.
 MatFile example(const std::vector<MatVariable>& more = {}) {
-  MatFile file = file_of({numbers("force", {3, 1}, {1, 2, 3}), numbers("accel", {3, 2}, {4, 5, 6, 7, 8, 9})});
+  MatFile file =
+      mat_record_of({mat_numbers("force", {3, 1}, {1, 2, 3}), mat_numbers("accel", {3, 2}, {4, 5, 6, 7, 8, 9})});
   file.variables.insert(file.variables.end(), more.begin(), more.end());
   return file;
 }
@@ -51,8 +42,9 @@ std::string refusal_of(const MatFile& file, const ReadOptions& options = {}) {
 }
 
 TEST(MatOptions, AreNotNeededWhereUnitsTellTheSignals) {
-  const Record record = open_mat(file_of({numbers("x", {3, 1}, {4, 5, 6}), text("x_unit", "m/s^2"),
-                                          numbers("y_N", {3, 1}, {1, 2, 3}), numbers("p_Pa", {3, 1}, {7, 8, 9})}));
+  const Record record =
+      open_mat(mat_record_of({mat_numbers("x", {3, 1}, {4, 5, 6}), mat_text("x_unit", "m/s^2"),
+                              mat_numbers("y_N", {3, 1}, {1, 2, 3}), mat_numbers("p_Pa", {3, 1}, {7, 8, 9})}));
   EXPECT_EQ(record.force.name, "y_N");
   EXPECT_THAT(force_N(record), ElementsAre(1, 2, 3));
   ASSERT_EQ(record.accel.size(), 1U);
@@ -60,8 +52,8 @@ TEST(MatOptions, AreNotNeededWhereUnitsTellTheSignals) {
 }
 
 TEST(MatOptions, NameColumnsOfMatricesOnly) {
-  const MatFile file = file_of({numbers("data", {3, 2}, {7, 8, 9, 10, 11, 12}), text("label", "abcdef"),
-                                numbers("cube", {2, 2, 2}, {1, 2, 3, 4, 5, 6, 7, 8})});
+  const MatFile file = mat_record_of({mat_numbers("data", {3, 2}, {7, 8, 9, 10, 11, 12}), mat_text("label", "abcdef"),
+                                      mat_numbers("cube", {2, 2, 2}, {1, 2, 3, 4, 5, 6, 7, 8})});
   const Record record = open_mat(
       file,
       {.force_channel = "data(:,1)", .accel_channels = {"data(:,2)"}, .setup = {{.name = "data(:,1)", .sign = -1}}});
@@ -74,9 +66,9 @@ TEST(MatOptions, NameColumnsOfMatricesOnly) {
 }
 
 TEST(MatOptions, DoNotMakeComplexNumbersReal) {
-  MatVariable complex = numbers("data", {3, 2}, {7, 8, 9, 10, 11, 12});
+  MatVariable complex = mat_numbers("data", {3, 2}, {7, 8, 9, 10, 11, 12});
   complex.imaginary = {0, 1, 0, 1, 0, 1};
-  const MatFile file = file_of({complex, numbers("plain", {3, 1}, {1, 2, 3})});
+  const MatFile file = mat_record_of({complex, mat_numbers("plain", {3, 1}, {1, 2, 3})});
   EXPECT_THAT(refusal_of(file, {.force_channel = "data(:,1)", .accel_channels = {"plain"}}),
               HasSubstr("data(:,1) is complex"));
   EXPECT_THAT(refusal_of(file, {.force_channel = "plain", .accel_channels = {"data"}}), HasSubstr("data is complex"));
@@ -96,17 +88,18 @@ TEST(MatOptions, IgnoreAndChooseChannels) {
 
 TEST(MatOptions, TakeDescriptionsOfTheRightShapeOnly) {
   const std::vector<double> corners{0, 1, 0, 0};  // (0, 0) and (1, 0)
-  const MatVariable geometry = numbers("geometry", {2, 2}, corners);
-  const Record good = open_mat(example({geometry, numbers("trace_lines", {1, 2}, {0, 1})}), {});
+  const MatVariable geometry = mat_numbers("geometry", {2, 2}, corners);
+  const Record good = open_mat(example({geometry, mat_numbers("trace_lines", {1, 2}, {0, 1})}), {});
   EXPECT_EQ(good.geometry, (std::vector<std::vector<double>>{{0, 0}, {1, 0}}));
   ASSERT_EQ(good.trace_lines.size(), 1U);
-  for (const MatVariable& lines :
-       {text("trace_lines", "01"), numbers("trace_lines", {1, 2, 1}, {0, 1}), numbers("trace_lines", {2, 1}, {0, 1})})
+  for (const MatVariable& lines : {mat_text("trace_lines", "01"), mat_numbers("trace_lines", {1, 2, 1}, {0, 1}),
+                                   mat_numbers("trace_lines", {2, 1}, {0, 1})})
     EXPECT_THAT(open_mat(example({geometry, lines}), {}).trace_lines, IsEmpty());
-  for (const MatVariable& other : {text("geometry", "0011"), numbers("geometry", {2, 1, 2}, corners),
-                                   numbers("geometry", {4, 1}, corners), numbers("geometry", {1, 4}, corners)})
+  for (const MatVariable& other : {mat_text("geometry", "0011"), mat_numbers("geometry", {2, 1, 2}, corners),
+                                   mat_numbers("geometry", {4, 1}, corners), mat_numbers("geometry", {1, 4}, corners)})
     EXPECT_THAT(open_mat(example({other}), {}).geometry, IsEmpty());
-  const Record angles = open_mat(example({numbers("angle_deg", {1, 2}, {180, kNaN}), text("position_m", "ab")}), {});
+  const Record angles =
+      open_mat(example({mat_numbers("angle_deg", {1, 2}, {180, kNaN}), mat_text("position_m", "ab")}), {});
   EXPECT_DOUBLE_EQ(angles.accel[0].angle_rad.value(), std::acos(-1));
   EXPECT_FALSE(angles.accel[1].angle_rad.has_value());
   EXPECT_FALSE(angles.accel[0].position_m.has_value());
@@ -115,7 +108,7 @@ TEST(MatOptions, TakeDescriptionsOfTheRightShapeOnly) {
 TEST(MatOptions, TakeDescriptionsOfRealNumbersOnly) {
   const auto complex = [](const std::string& name, const std::vector<std::size_t>& shape,
                           const std::vector<double>& real) {
-    MatVariable out = numbers(name, shape, real);
+    MatVariable out = mat_numbers(name, shape, real);
     out.imaginary = std::vector<double>(real.size(), 1);
     return out;
   };
@@ -131,13 +124,13 @@ TEST(MatOptions, TakeDescriptionsOfRealNumbersOnly) {
 }
 
 TEST(MatOptions, NumberHitsByWholeNumbers) {
-  EXPECT_EQ(open_mat(example({numbers("point", {1, 1}, {3})}), {}).rows[0].point, 3);
-  EXPECT_EQ(open_mat(example({numbers("run", {1, 1}, {-3})}), {}).rows[0].run, -3);
-  EXPECT_EQ(refusal_of(example({numbers("point", {1, 1}, {-3})})),
+  EXPECT_EQ(open_mat(example({mat_numbers("point", {1, 1}, {3})}), {}).rows[0].point, 3);
+  EXPECT_EQ(open_mat(example({mat_numbers("run", {1, 1}, {-3})}), {}).rows[0].run, -3);
+  EXPECT_EQ(refusal_of(example({mat_numbers("point", {1, 1}, {-3})})),
             "-3 is not a point number (x.mat: point); number points from 0 to 1000000000");
-  EXPECT_EQ(open_mat(example({text("point", "7")}), {}).rows[0].point, 0);
-  for (const MatVariable& point : {numbers("point", {1, 1}, {1.5}), numbers("point", {1, 1}, {3e9}),
-                                   numbers("point", {1, 1}, {kNaN}), numbers("point", {2, 1}, {1, 2})}) {
+  EXPECT_EQ(open_mat(example({mat_text("point", "7")}), {}).rows[0].point, 0);
+  for (const MatVariable& point : {mat_numbers("point", {1, 1}, {1.5}), mat_numbers("point", {1, 1}, {3e9}),
+                                   mat_numbers("point", {1, 1}, {kNaN}), mat_numbers("point", {2, 1}, {1, 2})}) {
     EXPECT_EQ(refusal_of(example({point})),
               "not one whole number for each of 1 hits (x.mat: point); store one per hit");
   }
@@ -147,11 +140,11 @@ TEST(MatOptions, NameTheRate) {
   const auto rate_Hz = [](const MatVariable& named) {
     return open_mat(example({named}), {.fs_variable = named.name}).fs_Hz;
   };
-  EXPECT_EQ(rate_Hz(numbers("speed", {1, 1}, {500})), 500);
-  EXPECT_EQ(rate_Hz(numbers("speed", {3, 1}, {0, 0.5, 1})), 2);
-  MatVariable complex = numbers("speed", {1, 1}, {500});
+  EXPECT_EQ(rate_Hz(mat_numbers("speed", {1, 1}, {500})), 500);
+  EXPECT_EQ(rate_Hz(mat_numbers("speed", {3, 1}, {0, 0.5, 1})), 2);
+  MatVariable complex = mat_numbers("speed", {1, 1}, {500});
   complex.imaginary = {1};
-  for (const MatVariable& other : {text("speed", "500"), complex, numbers("speed", {0, 0}, {})})
+  for (const MatVariable& other : {mat_text("speed", "500"), complex, mat_numbers("speed", {0, 0}, {})})
     EXPECT_THAT(input_error_of([&] { rate_Hz(other); }), HasSubstr("not a number (x.mat: speed)"));
 }
 

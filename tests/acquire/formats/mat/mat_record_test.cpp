@@ -14,10 +14,9 @@
 #include "acquire/record/frf_record.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/mat_builder.hpp"
-#include "support/messages.hpp"
+#include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace percuss::acquire::mat_record_test {

@@ -5,9 +5,9 @@
 
 #include "acquire/open_measurement.hpp"
 #include "core/units.hpp"
-#include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/mat_builder.hpp"
+#include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 
 // MAT files without a force.

@@ -7,41 +7,35 @@
 #include "acquire/open_measurement.hpp"
 #include "core/units.hpp"
 #include "support/input_error.hpp"
+#include "support/mat_variables.hpp"
 #include "support/messages.hpp"
 
 // FRFs of MAT files: variables of another class or shape than expected, and the numbers of the points.
 namespace percuss::acquire::read_frf_mat_test {
 
 using test::input_error_of;
+using test::mat_file_of;
+using test::mat_numbers;
+using test::mat_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-MatVariable numbers(const std::string& name, const std::vector<std::size_t>& shape, const std::vector<double>& real) {
-  return {.name = name, .shape = shape, .real = real};
-}
 
 MatVariable complex(const std::string& name, const std::vector<std::size_t>& shape, const std::vector<double>& real) {
   return {.name = name, .shape = shape, .real = real, .imaginary = std::vector<double>(real.size(), 0.5)};
 }
 
-MatVariable text(const std::string& name, const std::string& content) {
-  return {.name = name, .shape = {1, content.size()}, .text = content, .is_text = true};
-}
-
-MatFile file_of(const std::vector<MatVariable>& variables) { return {.path = "x.mat", .variables = variables}; }
-
 // Two points, one channel, three lines.
 MatFile two_points(const std::vector<MatVariable>& more) {
-  std::vector<MatVariable> variables{numbers("frequency_hz", {1, 3}, {0, 1, 2}),
+  std::vector<MatVariable> variables{mat_numbers("frequency_hz", {1, 3}, {0, 1, 2}),
                                      complex("frf", {2, 1, 3}, {1, 2, 3, 4, 5, 6})};
   variables.insert(variables.end(), more.begin(), more.end());
-  return file_of(variables);
+  return mat_file_of(variables);
 }
 
 // One point, one channel, three lines.
 MatFile one_point(const MatVariable& more) {
-  return file_of({numbers("frequency_hz", {1, 3}, {0, 1, 2}), complex("frf", {1, 3}, {1, 2, 3}), more});
+  return mat_file_of({mat_numbers("frequency_hz", {1, 3}, {0, 1, 2}), complex("frf", {1, 3}, {1, 2, 3}), more});
 }
 
 std::vector<int> points_of(const MatFile& file) {
@@ -52,14 +46,14 @@ std::vector<int> points_of(const MatFile& file) {
 }
 
 TEST(ReadFrfMat, UsesCoherenceAndStandardDeviationOnlyIfTheyAreReal) {
-  const StoredFrfs good = read_frf_mat(one_point(numbers("coherence", {1, 3}, {0.5, 0.6, 0.7})), {}).value();
+  const StoredFrfs good = read_frf_mat(one_point(mat_numbers("coherence", {1, 3}, {0.5, 0.6, 0.7})), {}).value();
   EXPECT_THAT(good.frfs[0].coherence, ElementsAre(0.5, 0.6, 0.7));
   EXPECT_THAT(good.record.notes, IsEmpty());
-  const StoredFrfs upright = read_frf_mat(one_point(numbers("coherence", {3, 1}, {0.5, 0.6, 0.7})), {}).value();
+  const StoredFrfs upright = read_frf_mat(one_point(mat_numbers("coherence", {3, 1}, {0.5, 0.6, 0.7})), {}).value();
   EXPECT_THAT(upright.frfs[0].coherence, ElementsAre(0.5, 0.6, 0.7)) << "vectors of equal length";
   for (const std::string name : {"coherence", "frf_std"}) {
     for (const MatVariable& other :
-         {text(name, "abc"), complex(name, {1, 3}, {1, 1, 1}), numbers(name, {1, 2}, {1, 1})}) {
+         {mat_text(name, "abc"), complex(name, {1, 3}, {1, 1, 1}), mat_numbers(name, {1, 2}, {1, 1})}) {
       const StoredFrfs frfs = read_frf_mat(one_point(other), {}).value();
       EXPECT_THAT(frfs.frfs[0].coherence, IsEmpty());
       EXPECT_THAT(frfs.frfs[0].std, IsEmpty());
@@ -71,54 +65,57 @@ TEST(ReadFrfMat, UsesCoherenceAndStandardDeviationOnlyIfTheyAreReal) {
 
 // The tolerances of converted frequencies, from 1e-9 to 1e-6 Hz, allow for rounding.
 TEST(ReadFrfMat, ReadsTheUnitOfTheFrequencies) {
-  const StoredFrfs kilo = read_frf_mat(one_point(text("frequency_hz_unit", "kHz")), {}).value();
+  const StoredFrfs kilo = read_frf_mat(one_point(mat_text("frequency_hz_unit", "kHz")), {}).value();
   EXPECT_NEAR(kilo.record.lines.df_Hz(), 1000, 1e-9);
-  EXPECT_THAT(input_error_of([] { read_frf_mat(one_point(text("frequency_hz_unit", "orders")), {}); }),
+  EXPECT_THAT(input_error_of([] { read_frf_mat(one_point(mat_text("frequency_hz_unit", "orders")), {}); }),
               HasSubstr("the unit of the frequencies, orders, is not known (x.mat: frequency_hz)"));
 }
 
 TEST(ReadFrfMat, FindsFrequenciesWithOtherNames) {
   const MatVariable frf = complex("H", {1, 3}, {1, 2, 3});
-  const StoredFrfs found = read_frf_mat(file_of({numbers("freq_axis", {1, 3}, {20, 20.5, 21}), frf}), {}).value();
+  const StoredFrfs found =
+      read_frf_mat(mat_file_of({mat_numbers("freq_axis", {1, 3}, {20, 20.5, 21}), frf}), {}).value();
   EXPECT_EQ(found.record.lines.first, 40U);
 }
 
 TEST(ReadFrfMat, ReadsTheUnitInTheNameOfTheFrequencies) {
   const MatVariable frf = complex("H", {1, 3}, {1, 2, 3});
   const auto first_Hz = [&](const std::string& name) {
-    return read_frf_mat(file_of({numbers(name, {1, 3}, {20, 20.5, 21}), frf}), {}).value().record.lines.freq_Hz(0);
+    return read_frf_mat(mat_file_of({mat_numbers(name, {1, 3}, {20, 20.5, 21}), frf}), {})
+        .value()
+        .record.lines.freq_Hz(0);
   };
   EXPECT_NEAR(first_Hz("freq_kHz"), 20000, 1e-6);
   EXPECT_NEAR(first_Hz("frequency_rad_s"), 20 / kTwoPi, 1e-9);
   EXPECT_NEAR(first_Hz("freq_hz"), 20, 1e-9);
-  const StoredFrfs angular = read_frf_mat(file_of({numbers("w", {1, 3}, {20, 20.5, 21}), frf}), {}).value();
+  const StoredFrfs angular = read_frf_mat(mat_file_of({mat_numbers("w", {1, 3}, {20, 20.5, 21}), frf}), {}).value();
   EXPECT_NEAR(angular.record.lines.freq_Hz(0), 20 / kTwoPi, 1e-9);
   EXPECT_THAT(test::texts(angular.record.notes), ElementsAre("w is taken as the frequencies in rad/s"));
 }
 
 TEST(ReadFrfMat, ReadsKindAndUnitBesideTheFrfs) {
-  const MatVariable freq = numbers("freq", {1, 3}, {0, 1, 2});
+  const MatVariable freq = mat_numbers("freq", {1, 3}, {0, 1, 2});
   const StoredFrfs stated =
-      read_frf_mat(file_of({freq, complex("H", {1, 3}, {1, 2, 3}), text("H_unit", "g/N")}), {}).value();
+      read_frf_mat(mat_file_of({freq, complex("H", {1, 3}, {1, 2, 3}), mat_text("H_unit", "g/N")}), {}).value();
   EXPECT_NEAR(stated.unit.value().response_to_SI, 9.80665, 1e-6);
-  const StoredFrfs named = read_frf_mat(file_of({freq, complex("mobility", {1, 3}, {1, 2, 3})}), {}).value();
+  const StoredFrfs named = read_frf_mat(mat_file_of({freq, complex("mobility", {1, 3}, {1, 2, 3})}), {}).value();
   EXPECT_EQ(named.kind, FrfKind::mobility);
 }
 
 TEST(ReadFrfMat, NumbersPointsByWholeNumbersFromZero) {
   EXPECT_THAT(points_of(two_points({})), ElementsAre(0, 1));
-  EXPECT_THAT(points_of(two_points({numbers("point", {1, 2}, {7, 3})})), ElementsAre(7, 3));
-  EXPECT_THAT(points_of(two_points({text("point", "73")})), ElementsAre(0, 1));
+  EXPECT_THAT(points_of(two_points({mat_numbers("point", {1, 2}, {7, 3})})), ElementsAre(7, 3));
+  EXPECT_THAT(points_of(two_points({mat_text("point", "73")})), ElementsAre(0, 1));
   const auto refusal = [](const MatVariable& point) {
     return input_error_of([&] { read_frf_mat(two_points({point}), {}); });
   };
   for (const double number : {1.5, 2e9, -0.5}) {
-    EXPECT_EQ(refusal(numbers("point", {1, 2}, {0, number})), "not a whole number (x.mat: point); store 0, 1, …");
+    EXPECT_EQ(refusal(mat_numbers("point", {1, 2}, {0, number})), "not a whole number (x.mat: point); store 0, 1, …");
   }
   EXPECT_EQ(refusal(complex("point", {1, 2}, {0, 1})), "not a whole number (x.mat: point); store 0, 1, …");
-  EXPECT_EQ(refusal(numbers("point", {1, 2}, {0, -5})),
+  EXPECT_EQ(refusal(mat_numbers("point", {1, 2}, {0, -5})),
             "-5 is not a point number (x.mat: point); number points from 0 to 1000000000");
-  EXPECT_EQ(refusal(numbers("point", {1, 2}, {4, 4})),
+  EXPECT_EQ(refusal(mat_numbers("point", {1, 2}, {4, 4})),
             "a point occurs twice (x.mat: point); give each point its own number");
 }
 
@@ -130,18 +127,19 @@ TEST(ReadFrfMat, IgnoresAnglesThatAreNotReal) {
 // A real array longer than the complex one may be a record. The name `frf`, in any letter case, decides for FRFs.
 TEST(ReadFrfMat, KnowsTheNameFrfInEitherLetterCase) {
   for (const std::string name : {"frf", "FRF", "test.Frf"}) {
-    const MatFile file = file_of({numbers("frequency_hz", {1, 3}, {0, 1, 2}), complex(name, {1, 3}, {1, 2, 3}),
-                                  numbers("other", {1, 6}, {0, 0, 0, 0, 0, 0})});
+    const MatFile file = mat_file_of({mat_numbers("frequency_hz", {1, 3}, {0, 1, 2}), complex(name, {1, 3}, {1, 2, 3}),
+                                      mat_numbers("other", {1, 6}, {0, 0, 0, 0, 0, 0})});
     EXPECT_TRUE(read_frf_mat(file, {}).has_value()) << name;
   }
-  const MatFile other = file_of({numbers("frequency_hz", {1, 3}, {0, 1, 2}), complex("h", {1, 3}, {1, 2, 3}),
-                                 numbers("other", {1, 6}, {0, 0, 0, 0, 0, 0})});
+  const MatFile other = mat_file_of({mat_numbers("frequency_hz", {1, 3}, {0, 1, 2}), complex("h", {1, 3}, {1, 2, 3}),
+                                     mat_numbers("other", {1, 6}, {0, 0, 0, 0, 0, 0})});
   EXPECT_FALSE(read_frf_mat(other, {}).has_value());
 }
 
 TEST(ReadFrfMat, ReadsAnArrayOfOneDimension) {
   const StoredFrfs frfs =
-      read_frf_mat(file_of({numbers("frequency_hz", {3}, {0, 1, 2}), complex("frf", {3}, {1, 2, 3})}), {}).value();
+      read_frf_mat(mat_file_of({mat_numbers("frequency_hz", {3}, {0, 1, 2}), complex("frf", {3}, {1, 2, 3})}), {})
+          .value();
   ASSERT_EQ(frfs.frfs.size(), 1U);
   EXPECT_THAT(frfs.frfs[0].value, ElementsAre(Complex(1, 0.5), Complex(2, 0.5), Complex(3, 0.5)));
 }

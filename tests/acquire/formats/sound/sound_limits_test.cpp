@@ -7,9 +7,9 @@
 #include "acquire/formats/sound/read_sound.hpp"
 #include "acquire/formats/sound/sound_calibration.hpp"
 #include "acquire/formats/sound/sound_file.hpp"
-#include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
+#include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 
 // Sound files with unusual chunks, numbers and options.

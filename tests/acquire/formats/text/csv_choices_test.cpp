@@ -4,6 +4,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
+#include "support/record_samples.hpp"
 
 // Records without a force, without units, and with too many columns.
 namespace percuss::acquire::csv_choices_test {

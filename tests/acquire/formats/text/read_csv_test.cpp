@@ -9,6 +9,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
+#include "support/record_samples.hpp"
 
 namespace percuss::acquire::read_csv_test {
 

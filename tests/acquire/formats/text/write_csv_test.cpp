@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "support/messages.hpp"
+#include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace percuss::acquire::write_csv_test {

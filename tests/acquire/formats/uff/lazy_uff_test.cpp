@@ -12,6 +12,7 @@
 #include "core/io/lazy_file.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
+#include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/uff_text.hpp"
 

@@ -11,6 +11,7 @@
 #include "core/units.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
+#include "support/record_samples.hpp"
 #include "support/uff_text.hpp"
 
 // The choice of functions of data set 58 by options and axes, and unusable abscissas.
@@ -20,6 +21,9 @@ using test::accel_mps2;
 using test::csv_bytes;
 using test::force_N;
 using test::input_error_of;
+using test::uff_frf;
+using test::uff_frf_header;
+using test::uff_function;
 using test::UffText;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -28,12 +32,6 @@ const UffText kForce{.response = "hammer", .ordinate = 13, .ordinate_unit = "N"}
 const UffText kAccel{.response = "acc", .ordinate = 12, .ordinate_unit = "m/s^2"};
 
 Record opened(const std::string& text, const ReadOptions& options = {}) { return open_uff(csv_bytes(text), options); }
-
-// A function of two numbers x and x + 1.
-std::string function_text(UffText set, double x) {
-  set.values = 2;
-  return set.text(fmt::format("{:13.5E}{:13.5E}\n", x, x + 1));
-}
 
 // A function of three numbers 1, 2, 3 at the times.
 std::string uneven_text(UffText set, const std::vector<double>& times_s) {
@@ -49,7 +47,7 @@ TEST(UffChoices, TakeAReactionForceAsForce) {
   plate.response = "plate";
   plate.ordinate = 9;
   plate.ordinate_unit = "NONE";
-  const Record record = opened(function_text(plate, 1) + function_text(kAccel, 3));
+  const Record record = opened(uff_function(plate, 1) + uff_function(kAccel, 3));
   EXPECT_EQ(record.force.name, "plate");
   EXPECT_THAT(force_N(record), ElementsAre(1, 2));
 }
@@ -60,7 +58,7 @@ TEST(UffChoices, TakeTheForceThatTheSetUpNames) {
   second.response = "ch2";
   first.ordinate = second.ordinate = 0;
   first.ordinate_unit = second.ordinate_unit = "NONE";
-  const std::string text = function_text(second, 5) + function_text(first, 1);
+  const std::string text = uff_function(second, 5) + uff_function(first, 1);
   const Record record =
       opened(text, {.setup = {{.name = "ch1", .role = "acceleration"}, {.name = "ch2", .role = "force"}}});
   EXPECT_EQ(record.force.name, "ch2");
@@ -75,7 +73,7 @@ TEST(UffChoices, CallASensorRovingOnlyWhenItVisitsEachPointOnce) {
       UffText force = kForce, accel = kAccel;
       accel.reference_node = struck;
       accel.response_node = sensed;
-      text += function_text(force, 1) + function_text(accel, 3);
+      text += uff_function(force, 1) + uff_function(accel, 3);
     }
     std::vector<int> out;
     for (const RowInfo& row : opened(text).rows) out.push_back(row.point);
@@ -95,7 +93,7 @@ TEST(UffChoices, RefuseTimeStepsThatAreNotPositive) {
                                   {"          inf", "a time step of inf s"}}) {
     UffText force = kForce, accel = kAccel;
     force.dx = accel.dx = dx;
-    const std::string text = function_text(force, 1) + function_text(accel, 3);
+    const std::string text = uff_function(force, 1) + uff_function(accel, 3);
     EXPECT_THAT(input_error_of([&] { opened(text); }), HasSubstr(named));
     EXPECT_EQ(opened(text, {.fs_Hz = 500}).fs_Hz, 500);
   }
@@ -105,7 +103,7 @@ TEST(UffChoices, RefuseTimeStepsThatAreNotPositive) {
 TEST(UffChoices, DoNotRoundTheRateOfAStepOfOneDigit) {
   UffText force = kForce, accel = kAccel;
   force.dx = accel.dx = "       3.E-04";
-  EXPECT_EQ(opened(function_text(force, 1) + function_text(accel, 3)).fs_Hz, 1 / 3e-4);
+  EXPECT_EQ(opened(uff_function(force, 1) + uff_function(accel, 3)).fs_Hz, 1 / 3e-4);
 }
 
 TEST(UffChoices, RequireOneRateOfUnevenTimes) {
@@ -157,21 +155,6 @@ TEST(UffChoices, NameDegreesOfFreedom) {
   EXPECT_EQ(uff_dof_name({"", 5, 0}), "node 5");
 }
 
-// The header of an FRF with two complex lines, at 10 and 12 Hz.
-UffText frf(UffText set = {}) {
-  set.type = 4;
-  set.ordinate_type = 5;
-  set.values = 2;
-  set.abscissa = 18;
-  set.denominator = 13;
-  set.x0 = "  1.00000E+01";
-  set.dx = "  2.00000E+00";
-  return set;
-}
-// An FRF with the values (x, −x) and (2x, 0).
-std::string frf_text(const UffText& set, double x = 1) {
-  return set.text(fmt::format("{:13.5E}{:13.5E}{:13.5E}{:13.5E}\n", x, -x, 2 * x, 0.0));
-}
 std::string uneven_frf_text(UffText set, double first_Hz, double second_Hz) {
   set.spacing = 0;
   return set.text(
@@ -186,58 +169,59 @@ FrfRecord read(const std::string& text) {
 }
 
 TEST(UffFrfAxes, StateTheQuotientInTheOrdinateAlone) {
-  const FrfRecord quotient = read(frf_text(frf({.ordinate_unit = "g/lbf", .denominator_unit = "m"})));
+  const FrfRecord quotient = read(uff_frf(uff_frf_header({.ordinate_unit = "g/lbf", .denominator_unit = "m"})));
   EXPECT_DOUBLE_EQ(quotient.accel[0].to_SI, kStandardGravity_mps2 / kPoundForce_N);
-  const FrfRecord bare = read(frf_text(frf({.ordinate = 0})));
+  const FrfRecord bare = read(uff_frf(uff_frf_header({.ordinate = 0})));
   EXPECT_EQ(bare.accel[0].to_SI, 1);
   EXPECT_THAT(bare.notes.at(0).text, HasSubstr("the kind of the FRFs is not stated"));
 }
 
 TEST(UffFrfAxes, StateEachFrequencyOfUnevenLines) {
-  const FrfRecord record = read(uneven_frf_text(frf(), 10, 12));
+  const FrfRecord record = read(uneven_frf_text(uff_frf_header(), 10, 12));
   EXPECT_EQ(record.lines.first, 5U);
   EXPECT_NEAR(record.lines.df_Hz(), 2, 1e-12);  // rounding
   EXPECT_EQ(record.frfs[0].frf.value[1], Complex(2, 0));
-  UffText second = frf();
+  UffText second = uff_frf_header();
   second.response_node = 2;
-  EXPECT_EQ(read(uneven_frf_text(frf(), 10, 12) + uneven_frf_text(second, 10, 12)).frfs.size(), 2U);
-  EXPECT_THAT(input_error_of([&] { read(uneven_frf_text(frf(), 10, 12) + uneven_frf_text(second, 20, 24)); }),
-              HasSubstr("FRFs with other lines than the first one"));
-  EXPECT_THAT(input_error_of([&] { read(frf_text(frf()) + uneven_frf_text(second, 10, 12)); }),
+  EXPECT_EQ(read(uneven_frf_text(uff_frf_header(), 10, 12) + uneven_frf_text(second, 10, 12)).frfs.size(), 2U);
+  EXPECT_THAT(
+      input_error_of([&] { read(uneven_frf_text(uff_frf_header(), 10, 12) + uneven_frf_text(second, 20, 24)); }),
+      HasSubstr("FRFs with other lines than the first one"));
+  EXPECT_THAT(input_error_of([&] { read(uff_frf(uff_frf_header()) + uneven_frf_text(second, 10, 12)); }),
               HasSubstr("FRFs with other lines than the first one"));
   second.x0 = "  1.20000E+01";
-  EXPECT_THAT(input_error_of([&] { read(frf_text(frf()) + frf_text(second)); }),
+  EXPECT_THAT(input_error_of([&] { read(uff_frf(uff_frf_header()) + uff_frf(second)); }),
               HasSubstr("FRFs with other lines than the first one"));
 }
 
 TEST(UffFrfAxes, RefuseLinesThatAreNoMultiplesOfTheirSpacing) {
   const auto refusal = [](const std::string& x0, const std::string& dx) {
-    UffText set = frf();
+    UffText set = uff_frf_header();
     set.x0 = x0;
     set.dx = dx;
-    return input_error_of([&] { read(frf_text(set)); });
+    return input_error_of([&] { read(uff_frf(set)); });
   };
   EXPECT_THAT(refusal("  1.00000E+01", "  0.00000E+00"), HasSubstr("2 lines from 10 Hz in steps of 0 Hz"));
   EXPECT_THAT(refusal("  1.10000E+01", "  2.00000E+00"), HasSubstr("2 lines from 11 Hz in steps of 2 Hz"));
   EXPECT_THAT(refusal(" -2.00000E+00", "  2.00000E+00"), HasSubstr("2 lines from -2 Hz in steps of 2 Hz"));
-  UffText one = frf();
+  UffText one = uff_frf_header();
   one.values = 1;
   EXPECT_THAT(input_error_of([&] { read(one.text("  1.00000E+00  2.00000E+00\n")); }),
               HasSubstr("1 lines from 10 Hz in steps of 2 Hz"));
 }
 
 TEST(UffFrfAxes, RefuseFrfsThatAreNotComplex) {
-  UffText real = frf();
+  UffText real = uff_frf_header();
   real.ordinate_type = 2;
   EXPECT_THAT(input_error_of([&] { read(real.text("  1.00000E+00  2.00000E+00\n")); }),
               HasSubstr("an FRF that is not complex"));
 }
 
 TEST(UffFrfAxes, RefuseACoherenceThatIsNotFinite) {
-  UffText coherence = frf();
+  UffText coherence = uff_frf_header();
   coherence.type = 6;
   coherence.ordinate_type = 2;
-  const auto with = [&](const std::string& numbers) { return frf_text(frf()) + coherence.text(numbers); };
+  const auto with = [&](const std::string& numbers) { return uff_frf(uff_frf_header()) + coherence.text(numbers); };
   EXPECT_THAT(read(with("  5.00000E-01  1.00000E+00\n")).frfs[0].frf.coherence, ElementsAre(0.5, 1));
   EXPECT_THAT(input_error_of([&] { read(with("  5.00000E-01          nan\n")); }),
               HasSubstr("a coherence that is not a finite number"));

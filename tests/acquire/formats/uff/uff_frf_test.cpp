@@ -24,22 +24,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 // Two complex lines (x, −x) and (2x, 0) at 10 and 12 Hz.
-std::string frf_text(UffText set, double x) {
-  set.type = 4;
-  set.ordinate_type = 5;
-  set.values = 2;
-  set.abscissa = 18;
-  set.denominator = 13;
-  set.x0 = "  1.00000E+01";
-  set.dx = "  2.00000E+00";
-  return set.text(fmt::format("{:13.5E}{:13.5E}{:13.5E}{:13.5E}\n", x, -x, 2 * x, 0.0));
-}
+std::string frf_text(const UffText& set, double x) { return test::uff_frf(test::uff_frf_header(set), x); }
 
-acquire::FrfRecord read(const std::string& text, const acquire::FrfReadOptions& options = {}) {
+FrfRecord read(const std::string& text, const FrfReadOptions& options = {}) {
   const FileBytes bytes = csv_bytes(text);
-  auto stored = acquire::read_frf_uff(bytes, read_uff_contents(bytes), options.kind.has_value());
+  auto stored = read_frf_uff(bytes, read_uff_contents(bytes), options.kind.has_value());
   EXPECT_TRUE(stored.has_value());
-  return acquire::to_accelerances(std::move(stored).value(), options);
+  return to_accelerances(std::move(stored).value(), options);
 }
 
 TEST(UffFrf, RefusesNegativeNodesOfPoints) {
@@ -64,7 +55,7 @@ TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {
       text += frf_text(set, node + 0.1 * direction);
     }
   }
-  const acquire::FrfRecord record = read(text);
+  const FrfRecord record = read(text);
   ASSERT_EQ(record.frfs.size(), 4U);
   EXPECT_EQ(record.frfs[3].point, 9);
   EXPECT_EQ(record.frfs[3].channel, 1U);
@@ -72,7 +63,7 @@ TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {
   EXPECT_NEAR(record.lines.df_Hz(), 2, 1e-12);
   const double g = kStandardGravity_mps2;
   EXPECT_LT(std::abs(record.frfs[3].frf.value[0] - Complex(9.3 * g, -9.3 * g)), 1e-4);
-  EXPECT_EQ(record.kind, acquire::FrfKind::accelerance);
+  EXPECT_EQ(record.kind, FrfKind::accelerance);
 }
 
 // A driving point has response and reference at the same node, in the same direction.
@@ -85,7 +76,7 @@ TEST(UffFrf, NamesDrivingPoints) {
     }
   }
   EXPECT_THAT(read(text).driving, ElementsAre(DrivingPlace{9, 1}));
-  acquire::FrfReadOptions second;
+  FrfReadOptions second;
   second.read.accel_channels = {"2"};
   EXPECT_THAT(read(text, second).driving, ElementsAre(DrivingPlace{9, 0}));
   EXPECT_TRUE(read(frf_text({.response_node = 9, .response_direction = 3, .reference_node = 9}, 1)).driving.empty())
@@ -95,7 +86,7 @@ TEST(UffFrf, NamesDrivingPoints) {
 TEST(UffFrf, MakesPointsOfResponsesOfARovingSensor) {
   std::string text;
   for (const int node : {7, 3, 5}) text += frf_text({.response_node = node, .reference_node = 1}, node);
-  const acquire::FrfRecord record = read(text);
+  const FrfRecord record = read(text);
   ASSERT_EQ(record.frfs.size(), 3U);
   ASSERT_EQ(record.accel.size(), 1U);
   EXPECT_EQ(record.frfs[0].point, 3);
@@ -104,14 +95,11 @@ TEST(UffFrf, MakesPointsOfResponsesOfARovingSensor) {
 
 TEST(UffFrf, TakesUnitsAndKindFromAxesOrTheFilesSystem) {
   const UffText velocity{.ordinate = 11, .ordinate_unit = "mm/s", .denominator_unit = "N"};
-  EXPECT_EQ(read(frf_text(velocity, 1)).kind, acquire::FrfKind::mobility);
+  EXPECT_EQ(read(frf_text(velocity, 1)).kind, FrfKind::mobility);
   EXPECT_NEAR(read(frf_text(velocity, 1)).accel[0].to_SI, 1e-3, 1e-18);
-  const std::string units =
-      "    -1\n   164\n         9USER DEFINED                  2\n"
-      "  1.00000000000000000D+03  1.00000000000000000D+03  1.00000000000000000D+00\n"
-      "  2.73149999999999977D+02\n    -1\n";
-  const acquire::FrfRecord receptance = read(units + frf_text({.ordinate = 8}, 1));
-  EXPECT_EQ(receptance.kind, acquire::FrfKind::receptance);
+  const std::string units = test::uff_units(1000, 1000);
+  const FrfRecord receptance = read(units + frf_text({.ordinate = 8}, 1));
+  EXPECT_EQ(receptance.kind, FrfKind::receptance);
   EXPECT_NEAR(receptance.accel[0].to_SI, 1, 1e-12) << "mm per mN";
 }
 
@@ -130,25 +118,25 @@ TEST(UffFrf, RefusesGapsAndOtherLines) {
 TEST(UffFrf, YieldsToTimeRecordsUnlessForced) {
   const UffText time{.values = 2};
   const FileBytes bytes = csv_bytes(frf_text({}, 1) + time.text("  1.00000E+00  2.00000E+00\n"));
-  EXPECT_FALSE(acquire::read_frf_uff(bytes, read_uff_contents(bytes), false).has_value());
-  EXPECT_TRUE(acquire::read_frf_uff(bytes, read_uff_contents(bytes), true).has_value());
+  EXPECT_FALSE(read_frf_uff(bytes, read_uff_contents(bytes), false).has_value());
+  EXPECT_TRUE(read_frf_uff(bytes, read_uff_contents(bytes), true).has_value());
 }
 
 TEST(UffFrf, IsWrittenWithCoherenceAndReadBackExactly) {
-  acquire::FrfRecord record;
+  FrfRecord record;
   record.files.push_back({.path = "x"});
   record.lines = {.fs_Hz = 1000.0 / 3, .samples = 100, .first = 3, .count = 2};
   record.accel.push_back({.name = "accel 1", .angle_rad = 0.5});
   for (const int point : {0, 2}) {
-    acquire::Frf frf{.value = {{1.0 / 3, 2}, {3, -4}}, .coherence = {0.5, 0.8}, .averages = 5};
+    Frf frf{.value = {{1.0 / 3, 2}, {3, -4}}, .coherence = {0.5, 0.8}, .averages = 5};
     // σ² = (1 − γ²)/γ² · |H|²/(n − 1)
     frf.std = {std::sqrt(0.5 / 0.5 / 4) * std::abs(frf.value[0]), std::sqrt(0.2 / 0.8 / 4) * 5};
     record.frfs.push_back({.point = point, .channel = 0, .frf = frf});
   }
   record.geometry = {{0, 0, 0}, {0.25, 0, 0}, {0.5, 0, 1e-9}};
   const test::ScratchFolder folder;
-  acquire::write_frf_record_uff(folder.file("f.uff"), record, acquire::FrfKind::accelerance, false);
-  const auto again = std::get<acquire::FrfRecord>(acquire::open_measurement(folder.file("f.uff")));
+  write_frf_record_uff(folder.file("f.uff"), record, FrfKind::accelerance, false);
+  const auto again = std::get<FrfRecord>(open_measurement(folder.file("f.uff")));
   ASSERT_EQ(again.frfs.size(), 2U);
   EXPECT_EQ(again.frfs[1].point, 2);
   EXPECT_EQ(again.frfs[0].frf.value, record.frfs[0].frf.value);

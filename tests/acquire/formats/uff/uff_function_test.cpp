@@ -193,10 +193,7 @@ TEST(UffFunction, RefusesDamageWithItsLine) {
 }
 
 TEST(UffContents, ReadsNodesOfBothKindsInTheirUnitsAndSystems) {
-  const std::string units =
-      "    -1\n   164\n         9USER DEFINED                  2\n"
-      "  1.00000000000000000D+03  1.00000000000000000D+00  1.00000000000000000D+00\n"
-      "  2.73149999999999977D+02\n    -1\n";
+  const std::string units = test::uff_units(1000, 1);
   // System 7: at (1000, 0, 0), its x along y and its z along z.
   const std::string systems =
       "    -1\n    18\n         7         0         0         8         1\nCS7\n"

@@ -13,6 +13,7 @@
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
+#include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/uff_text.hpp"
 
@@ -22,6 +23,7 @@ using test::accel_mps2;
 using test::csv_bytes;
 using test::force_N;
 using test::input_error_of;
+using test::uff_function;
 using test::UffText;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -29,18 +31,13 @@ using testing::IsEmpty;
 
 Record opened(const std::string& text, const ReadOptions& options = {}) { return open_uff(csv_bytes(text), options); }
 
-// A function of two numbers x and x + 1.
-std::string function_text(UffText set, double x) {
-  set.values = 2;
-  return set.text(fmt::format("{:13.5E}{:13.5E}\n", x, x + 1));
-}
 const UffText kForce{.response = "hammer", .ordinate = 13, .ordinate_unit = "N"};
 const UffText kAccel{.response = "acc", .ordinate = 12, .ordinate_unit = "g"};
 
 TEST(UffRecord, BeginsARowWithEachForce) {
   UffText second = kAccel;
   second.response_direction = 2;
-  const std::string hit = function_text(kForce, 1) + function_text(kAccel, 3) + function_text(second, 5);
+  const std::string hit = uff_function(kForce, 1) + uff_function(kAccel, 3) + uff_function(second, 5);
   const Record record = opened(hit + hit);
   ASSERT_EQ(record.rows.size(), 2U);
   ASSERT_EQ(record.accel.size(), 2U);
@@ -53,12 +50,12 @@ TEST(UffRecord, BeginsARowWithEachForce) {
 
 TEST(UffRecord, ReadsForcesThatComeLastOrInTheirOwnGroup) {
   const Record last =
-      opened(function_text(kAccel, 3) + function_text(kForce, 1) + function_text(kAccel, 7) + function_text(kForce, 5));
+      opened(uff_function(kAccel, 3) + uff_function(kForce, 1) + uff_function(kAccel, 7) + uff_function(kForce, 5));
   ASSERT_EQ(last.rows.size(), 2U);
   EXPECT_EQ(accel_mps2(last, 0, 0)[0], 3 * kStandardGravity_mps2);
   EXPECT_EQ(force_N(last, 1)[0], 5);
   const Record groups =
-      opened(function_text(kForce, 1) + function_text(kForce, 2) + function_text(kAccel, 3) + function_text(kAccel, 4));
+      opened(uff_function(kForce, 1) + uff_function(kForce, 2) + uff_function(kAccel, 3) + uff_function(kAccel, 4));
   ASSERT_EQ(groups.rows.size(), 2U);
   EXPECT_EQ(accel_mps2(groups, 0, 1)[0], 4 * kStandardGravity_mps2);
 }
@@ -68,13 +65,13 @@ TEST(UffRecord, NumbersPointsByTheNodeStruckOrByTheRovingSensor) {
   at4.reference_node = 4;
   at9.reference_node = 9;
   const Record hammer =
-      opened(function_text(kForce, 1) + function_text(at4, 1) + function_text(kForce, 1) + function_text(at9, 1));
+      opened(uff_function(kForce, 1) + uff_function(at4, 1) + uff_function(kForce, 1) + uff_function(at9, 1));
   EXPECT_THAT(hammer.points(), ElementsAre(4, 9));
   at4 = at9 = kAccel;
   at4.response_node = 4;
   at9.response_node = 9;
   const Record sensor =
-      opened(function_text(kForce, 1) + function_text(at4, 1) + function_text(kForce, 1) + function_text(at9, 1));
+      opened(uff_function(kForce, 1) + uff_function(at4, 1) + uff_function(kForce, 1) + uff_function(at9, 1));
   EXPECT_THAT(sensor.points(), ElementsAre(4, 9));
 }
 
@@ -84,22 +81,19 @@ TEST(UffRecord, NamesDrivingPoints) {
   at4.reference_node = 4;
   at4.reference_direction = at9.reference_direction = 3;
   const std::string hits =
-      function_text(kForce, 1) + function_text(at4, 1) + function_text(kForce, 1) + function_text(at9, 1);
+      uff_function(kForce, 1) + uff_function(at4, 1) + uff_function(kForce, 1) + uff_function(at9, 1);
   EXPECT_THAT(opened(hits).driving, ElementsAre(DrivingPlace{9, 0}));
 }
 
 TEST(UffRecord, TakesUnitsFromTheFileWhereFunctionsStateNone) {
-  const std::string units =
-      "    -1\n   164\n         9USER DEFINED                  2\n"
-      "  1.00000000000000000D+03  1.00000000000000000D+03  1.00000000000000000D+00\n"
-      "  2.73149999999999977D+02\n    -1\n";
+  const std::string units = test::uff_units(1000, 1000);
   UffText force = kForce, accel = kAccel;
   force.ordinate_unit = accel.ordinate_unit = "NONE";
-  const Record record = opened(units + function_text(force, 1) + function_text(accel, 3));
+  const Record record = opened(units + uff_function(force, 1) + uff_function(accel, 3));
   EXPECT_EQ(force_N(record)[0], 1e-3);
   EXPECT_EQ(accel_mps2(record)[0], 3e-3);
   EXPECT_THAT(record.notes, IsEmpty());
-  const Record bare = opened(function_text(force, 1) + function_text(accel, 3));
+  const Record bare = opened(uff_function(force, 1) + uff_function(accel, 3));
   EXPECT_THAT(test::texts(bare.notes), ElementsAre(HasSubstr("taken as N"), HasSubstr("taken as m/s^2")));
 }
 
@@ -109,7 +103,7 @@ TEST(UffRecord, IsAmbiguousWithoutAForceFunction) {
   second.response = "ch2";
   first.ordinate = second.ordinate = 0;
   first.ordinate_unit = second.ordinate_unit = "NONE";
-  const std::string text = function_text(first, 1) + function_text(second, 5);
+  const std::string text = uff_function(first, 1) + uff_function(second, 5);
   EXPECT_THAT(input_error_of([&] { opened(text); }), HasSubstr("no force column found among ch1, ch2"));
   const Record record = opened(text, {.force_channel = "ch2", .accel_channels = {"ch1"}});
   EXPECT_EQ(force_N(record)[0], 5);
@@ -117,11 +111,11 @@ TEST(UffRecord, IsAmbiguousWithoutAForceFunction) {
 
 TEST(UffRecord, RefusesUnpairedFunctionsAndOtherContents) {
   EXPECT_THAT(
-      input_error_of([&] { opened(function_text(kForce, 1) + function_text(kForce, 1) + function_text(kAccel, 1)); }),
+      input_error_of([&] { opened(uff_function(kForce, 1) + uff_function(kForce, 1) + uff_function(kAccel, 1)); }),
       HasSubstr("2 forces and 1 responses"));
   UffText slower = kAccel;
   slower.dx = "  2.00000E-03";
-  EXPECT_THAT(input_error_of([&] { opened(function_text(kForce, 1) + function_text(slower, 1)); }),
+  EXPECT_THAT(input_error_of([&] { opened(uff_function(kForce, 1) + uff_function(slower, 1)); }),
               HasSubstr("differ in their sampling rate"));
   EXPECT_THAT(input_error_of([&] { opened("    -1\n    15\n    -1\n"); }), HasSubstr("data sets 15 (1)"));
 }
@@ -210,16 +204,24 @@ TEST_F(UffWritten, SurvivesMutations) {
   write_uff(path_, example(), true);
   const std::string binary = test::bytes_of(path_);
   std::mt19937 random(58);
+  int read = 0, refused = 0;
   for (int i = 0; i < 3000; ++i) {
     std::string damaged = i % 2 == 0 ? text : binary;
     for (int n = 0; n < 1 + i % 4; ++n) damaged[random() % damaged.size()] = "0123456789-+. Eb\n\xFF"[random() % 18];
     try {
       const Record record = opened(damaged);
-      std::vector<double> samples(std::min<std::size_t>(record.rows.at(0).samples, 100));
-      record.read_force_N(0, 0, samples);
+      for (std::size_t row = 0; row < record.rows.size(); ++row) {
+        for (const double sample : force_N(record, row)) ASSERT_TRUE(std::isfinite(sample));
+        for (std::size_t channel = 0; channel < record.accel.size(); ++channel) {
+          for (const double sample : accel_mps2(record, channel, row)) ASSERT_TRUE(std::isfinite(sample));
+        }
+      }
+      ++read;
     } catch (const InputError&) {
+      ++refused;
     }
   }
+  std::cerr << "UFF " << read << " " << refused << std::endl;
 }
 
 }  // namespace percuss::acquire::uff_record_test

@@ -6,6 +6,7 @@
 #include "acquire/channels/csv_columns.hpp"
 #include "acquire/formats/uff/read_uff.hpp"
 #include "support/csv_text.hpp"
+#include "support/record_samples.hpp"
 #include "support/uff_text.hpp"
 
 // Which functions are forces, where neither unit nor type of data state it.

@@ -15,7 +15,7 @@
 #include "support/scratch_folder.hpp"
 
 // Trace lines, and points without coordinates, in every format that stores them.
-namespace percuss::acquire::trace_lines_test {
+namespace percuss::acquire::uff_trace_lines_test {
 
 using test::csv_bytes;
 using test::input_error_of;
@@ -162,4 +162,4 @@ TEST_F(TraceLineFiles, AreRefusedUnlessTheyConnectExistingPoints) {
   }
 }
 
-}  // namespace percuss::acquire::trace_lines_test
+}  // namespace percuss::acquire::uff_trace_lines_test
