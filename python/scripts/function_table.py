@@ -15,6 +15,8 @@ DATA = (
 )
 # For functions that need hits over time, and refuse FRFs.
 RECORDS = (DATA[0], DATA[1], "path, array or Record", DATA[3].replace("; or records; or FRFs.", "; or records."))
+# For the calibration, whose force has any unit.
+UNCALIBRATED = (*RECORDS[:3], RECORDS[3].replace("force in N and acceleration in m/s²", "force as stored and acceleration in m/s² or in `unit`"))
 
 
 @dataclass(frozen=True)
@@ -97,7 +99,8 @@ True
     ),
     Function(
         "calibrate", "calibrate", "Result",
-        "`force_scale` and `force_scale_std` in N per stored unit of the force channel, `n_per_unit` (without the sign), `hits`.", **_RECORDED,
+        "`force_scale` and `force_scale_std` in N per stored unit of the force channel, `n_per_unit` (without the sign), `hits`.",
+        parts=(UNCALIBRATED,), call="of_data",
     ),
     Function(
         "synth", "synth", "Synthetic", "`record` is a Record; `to_dict()` the truth.",
