@@ -133,6 +133,8 @@ bool writes_charts(const OutputFlags& flags) {
                      [](const std::string& path) { return is_page(path) || extension_of(path) == ".svg"; });
 }
 
+namespace {
+
 void require_folder(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::error_code failed;
@@ -142,8 +144,6 @@ void require_folder(const std::string& path) {
   const bool absent = !std::filesystem::exists(folder, failed);
   throw_system_error("cannot write", absent ? ENOENT : ENOTDIR, path, "create the folder first");
 }
-
-namespace {
 
 // Refuses a folder and a pipe or device; without `force` also an existing file, and a link whose target does not exist:
 // writing follows a link only to an existing file.
@@ -164,6 +164,11 @@ void require_place(const std::string& path, bool force) {
 
 }  // namespace
 
+void require_output_path(const std::string& path, bool force) {
+  require_folder(path);
+  require_place(path, force);
+}
+
 void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kinds) {
   std::vector<std::string> known = kinds;
   if (const auto page = std::find(known.begin(), known.end(), kPageExtension); page != known.end())
@@ -176,8 +181,7 @@ void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kin
     }
     if (!seen.insert(path).second)
       throw OptionError({}, "'" + path + "' is to be written twice", "name each file once");
-    require_folder(path);
-    require_place(path, flags.force);
+    require_output_path(path, flags.force);
   }
   check_pages(flags);
 }

@@ -56,14 +56,15 @@ bool is_json(const std::string& path);
 /// Whether an output file holds charts: .svg or a page.
 bool writes_charts(const OutputFlags& flags);
 
-/// errors  InputError, as when the file is written: its folder does not exist
-void require_folder(const std::string& path);
+/// Checks before anything is computed that a file can be written to the path.
+/// errors  InputError, as when the file is written: for a folder that does not exist; for a folder, pipe or device in
+///         place of a file; without `force` also for an existing file, and for a link to a file that does not exist
+void require_output_path(const std::string& path, bool force);
 
-/// Checks the output paths before anything is computed. Throws UsageError for an extension that is not in `known` or a
-/// path given twice, or statements for a page where none is written. Throws InputError for an existing file, or a link
-/// to a file that does not exist, unless --force is given; for a folder, pipe or device in place of a file; for a folder
-/// that does not exist; for files of the title block that cannot be used; and for .pdf without a browser.
-void check_outputs(const OutputFlags& flags, const std::vector<std::string>& known);
+/// Checks the output paths before anything is computed. Throws UsageError for an extension that is not in `kinds` or a
+/// path given twice, or statements for a page where none is written. Throws InputError as require_output_path; for
+/// files of the title block that cannot be used; and for .pdf without a browser.
+void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kinds);
 
 /// Whether standard output is a terminal wide enough for a plot of characters.
 bool can_plot_in_terminal();
