@@ -139,7 +139,7 @@ def docstring(function: Function, command: Command) -> list[str]:
         own += _entry(name, words, text)
     reading: list[str] = []
     for option in sorted(command.options.values(), key=lambda one: not one.required):
-        into = reading if option.group == "Reading" and function.call == "of_data" and option.id != "fs" else own
+        into = reading if option.group == "Reading" and function.call == "run_on_data" and option.id != "fs" else own
         into += _option_entry(option, command)
     lines = _filled(_sentence(in_keywords(command.summary, command)))
     about = in_keywords(command.about, command)

@@ -29,15 +29,15 @@ class Function:
     result: str
     returns: str
     parts: tuple[tuple[str, str, str, str], ...] = ()
-    call: str = "of_documents"  # the function of _call.py that runs the command
+    call: str = "run_on_documents"  # the function of _call.py that runs the command
     imports: tuple[str, ...] = ("from .._results import Result",)
     notes: str = ""
     example: str = ""
     see_also: tuple[tuple[str, str], ...] = ()
 
 
-_MEASURED = {"parts": (DATA,), "call": "of_data"}
-_RECORDED = {"parts": (RECORDS,), "call": "of_data"}
+_MEASURED = {"parts": (DATA,), "call": "run_on_data"}
+_RECORDED = {"parts": (RECORDS,), "call": "run_on_data"}
 
 FUNCTIONS = (
     Function(
@@ -100,12 +100,12 @@ True
     Function(
         "calibrate", "calibrate", "Result",
         "`force_scale` and `force_scale_std` in N per stored unit of the force channel, `n_per_unit` (without the sign), `hits`.",
-        parts=(UNCALIBRATED,), call="of_data",
+        parts=(UNCALIBRATED,), call="run_on_data",
     ),
     Function(
         "synth", "synth", "Synthetic", "`record` is a Record; `to_dict()` the truth.",
         parts=(("spec", "File", "str, path or dict", "The name of a preset, a file, or a dictionary; docs/guides/synth.md describes its keys."),),
-        imports=("from .._results import Synthetic",), call="of_spec",
+        imports=("from .._results import Synthetic",), call="synthesise_spec",
         see_also=(("presets", "the names of the presets"),),
         example="""
 >>> import percuss
@@ -118,7 +118,7 @@ True
     ),
     Function(
         "read", "read", "Measured", "A list if several files are named. A record's samples are read on demand.",
-        parts=(("*paths", "Paths", "path", "HDF5, MAT, UFF, LabVIEW, sound, CSV or text."),), call="of_files",
+        parts=(("*paths", "Paths", "path", "HDF5, MAT, UFF, LabVIEW, sound, CSV or text."),), call="read_files",
         imports=(),
         see_also=(("info", "describe files without an exception"), ("write", "write records and FRFs")),
     ),
