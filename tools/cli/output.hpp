@@ -21,9 +21,9 @@ struct OutputFlags {
   std::string equivalent_command;  // the host's command line, for files that it saves after the run
 };
 
-/// `kinds` lists the extensions that the command passes to check_outputs: ".json, .csv". With .html, pages can be
-/// written as .pdf too, and have a title block.
-void add_output_flags(Command& command, OutputFlags& flags, const char* kinds);
+/// `kinds` are the extensions that the command passes to check_outputs. With .html, pages can be written as .pdf too,
+/// and have a title block.
+void add_output_flags(Command& command, OutputFlags& flags, const std::vector<std::string>& kinds);
 
 /// Adds --keep-formulas, for commands that write texts to CSV. csv_formulas() converts the flag.
 void add_formula_flag(Command& command, bool& keep_formulas);

@@ -122,7 +122,7 @@ void add_frf(CommandLine& line) {
                   "Write a universal file, with an estimator for noise in force and acceleration");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output, ".csv, .h5, .hdf5, .json, .mat, .uff, .unv, .svg, .html");
+  add_output_flags(command, flags->output, {".csv", ".h5", ".hdf5", ".json", ".mat", ".uff", ".unv", ".svg", ".html"});
   command.value("--kind", flags->kind, "Write FRFs of acceleration, velocity or displacement")
       .one_of({"accelerance", "mobility", "receptance"})
       .show_default();

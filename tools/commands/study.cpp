@@ -112,7 +112,7 @@ void add_study(CommandLine& line) {
       .type("FILE");
   command.value("--table", flags->table, "Write the joined table").type("FILE");
   command.flag("--example", flags->example, "Print an example table: a synthetic population");
-  add_output_flags(command, flags->output, kReportKinds);
+  add_output_flags(command, flags->output, report_extensions());
   add_formula_flag(command, flags->keep_formulas);
 }
 

@@ -103,7 +103,7 @@ void add_batch_merge(CommandLine& line) {
       "percuss batch merge --manifest manifest.jsonl results -o bats.jsonl -o bats.csv",
       "Turn records into a table");
   add_folder_and_manifest(command, *flags);
-  add_output_flags(command, flags->output, ".jsonl, .csv, .h5, .hdf5");
+  add_output_flags(command, flags->output, {".jsonl", ".csv", ".h5", ".hdf5"});
   add_formula_flag(command, flags->keep_formulas);
 }
 

@@ -192,7 +192,7 @@ void add_model_beam(CommandLine& line) {
       .type("LOAD:LEVER:DEFLECTION");
   command.heading(previous);
   add_model_budget(command, flags->budget);
-  add_output_flags(command, flags->output, kReportKinds);
+  add_output_flags(command, flags->output, report_extensions());
 }
 
 }  // namespace percuss::tools

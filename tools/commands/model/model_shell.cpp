@@ -102,7 +102,7 @@ void add_model_shell(CommandLine& line) {
   command.value("--fit", flags->unknowns, "Choose the parameters to fit to --measured")
       .one_of({"young", "wall", "both"})
       .show_default();
-  add_output_flags(command, flags->output, kReportKinds);
+  add_output_flags(command, flags->output, report_extensions());
 }
 
 }  // namespace percuss::tools
