@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "acquire/channels/frf_unit.hpp"
 #include "cli/analysis_flags.hpp"
 #include "cli/open_files.hpp"
 #include "cli/output.hpp"
@@ -78,9 +79,7 @@ void give_to_host(const OutputFlags& output, const std::shared_ptr<const pipelin
 
 int frf(const FrfFlags& flags) {
   check_frf_outputs(flags.output);
-  const acquire::FrfKind kind = flags.kind == "mobility"     ? acquire::FrfKind::mobility
-                                : flags.kind == "receptance" ? acquire::FrfKind::receptance
-                                                             : acquire::FrfKind::accelerance;
+  const acquire::FrfKind kind = acquire::parse_frf_kind(flags.kind).value();
   const Progress progress("averaging", flags.output.quiet);
   const std::shared_ptr<const pipeline::Analysis> shared_analysis = analysis_of(flags);
   const pipeline::Analysis& analysis = *shared_analysis;
