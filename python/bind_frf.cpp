@@ -1,19 +1,13 @@
 #include <optional>
 #include <utility>
 
+#include "acquire/channels/frf_unit.hpp"
 #include "acquire/record/point_number.hpp"
 #include "bindings.hpp"
 #include "signal_object.hpp"
 
 namespace percuss::python {
 namespace {
-
-acquire::FrfKind kind_of(const std::string& name) {
-  for (const auto kind : {acquire::FrfKind::accelerance, acquire::FrfKind::mobility}) {
-    if (name == acquire::name_of(kind)) return kind;
-  }
-  return acquire::FrfKind::receptance;
-}
 
 std::optional<double> number_or_none(const Object& one) {
   return one.is_none() ? std::nullopt : std::optional(one.number());
@@ -25,7 +19,7 @@ std::shared_ptr<const acquire::StoredFrfs> stored_frfs_of(const Arguments& argum
   auto stored = std::make_shared<acquire::StoredFrfs>();
   stored->record.format = "arrays";
   stored->record.lines = acquire::lines_from_frequencies(copied_values<double>(arguments[0]), "frequency_hz");
-  stored->kind = kind_of(arguments[4].text());
+  stored->kind = frf_kind_of(arguments[4]);
   const std::vector<Object> points = arguments[5].items(), channels = arguments[6].items();
   stored->record.decay_per_s = arguments[8].number();
   for (const Object& one : channels) {
@@ -95,6 +89,13 @@ Object responses_of_record(PyObject* self, const Arguments& /*arguments*/) {
 }
 
 }  // namespace
+
+acquire::FrfKind frf_kind_of(const Object& name) {
+  const std::optional<acquire::FrfKind> kind = acquire::parse_frf_kind(name.text());
+  if (!kind)
+    throw UsageError("no kind of FRF: " + one_line(name.text(), 60), "give accelerance, mobility or receptance");
+  return *kind;
+}
 
 tools::InMemoryInput in_memory_input(const Object& one) {
   if (FrfClass::is(one)) {

@@ -31,17 +31,15 @@ Object window_decay_of(PyObject* self, const Arguments& arguments) {
 Object frfs_of(PyObject* self, const Arguments& arguments) {
   const SharedResult& held = held_by(self);
   const auto analysis = analysis_of(held, test_in(arguments));
-  const std::string kind = arguments[1].text();
+  const acquire::FrfKind kind = frf_kind_of(arguments[1]);
   const auto& frfs = compute(
       held, [&]() -> const auto& { return analysis->frfs(); });
   const acquire::LineRange band = compute(held, [&] { return band_of(*analysis); });
   const std::size_t first = band.first - analysis->lines().first;
-  if (kind == name_of(acquire::FrfKind::accelerance)) return responses_of(frfs, first, band.count, analysis);
-  const acquire::FrfKind wanted =
-      kind == name_of(acquire::FrfKind::mobility) ? acquire::FrfKind::mobility : acquire::FrfKind::receptance;
+  if (kind == acquire::FrfKind::accelerance) return responses_of(frfs, first, band.count, analysis);
   auto made = std::make_shared<std::vector<acquire::PointFrf>>(frfs);
   for (acquire::PointFrf& one : *made)
-    one.frf = acquire::converted(one.frf, analysis->lines(), wanted, analysis->window_decay_per_s());
+    one.frf = acquire::converted(one.frf, analysis->lines(), kind, analysis->window_decay_per_s());
   return responses_of(*made, first, band.count, made);
 }
 

@@ -73,6 +73,9 @@ Object modes_of(PyObject* self, const Arguments& arguments);
 /// The residual terms and the FRAC of each FRF.
 Object residual_terms_of(PyObject* self, const Arguments& arguments);
 
+/// The kind that a text names. Throws UsageError for other texts.
+acquire::FrfKind frf_kind_of(const Object& name);
+
 /// Responses as [(point, channel, averages, value, std or None, coherence or None)]: views of `count` spectral lines of
 /// `frfs` from `first` on, which keep `owner` alive.
 Object responses_of(const std::vector<acquire::PointFrf>& frfs, std::size_t first, std::size_t count,

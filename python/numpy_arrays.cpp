@@ -5,14 +5,14 @@
 namespace percuss::python {
 namespace {
 
-using MemoryClass = Class<SharedMemory>;
+using MemoryClass = Class<ArrayMemory>;
 
 Object tuple_of_sizes(const std::vector<std::size_t>& sizes) {
   return Object::owned(PyList_AsTuple(object_of(sizes).get()));
 }
 
 Object interface_of(PyObject* self) {
-  const SharedMemory& memory = *MemoryClass::of(self);
+  const ArrayMemory& memory = *MemoryClass::of(self);
   Dictionary out;
   out.set("shape", tuple_of_sizes(memory.shape));
   out.set("typestr", memory.type);
@@ -29,13 +29,13 @@ Object* numpy_asarray = nullptr;
 
 void add_memory_class(PyObject* module) {
   numpy_asarray = new Object(imported("numpy").attribute("asarray"));
-  MemoryClass::add(module, "percuss._percuss.SharedMemory", {}, {property<&interface_of>("__array_interface__")});
+  MemoryClass::add(module, "percuss._percuss.ArrayMemory", {}, {property<&interface_of>("__array_interface__")});
 }
 
-Object array_of(SharedMemory memory) {
+Object array_of(ArrayMemory memory) {
   static const double nothing = 0;  // an array without elements has no address
   if (memory.first == nullptr) memory.first = &nothing;
-  return call(*numpy_asarray, MemoryClass::wrap(std::make_shared<SharedMemory>(std::move(memory))));
+  return call(*numpy_asarray, MemoryClass::wrap(std::make_shared<ArrayMemory>(std::move(memory))));
 }
 
 GivenArray given_array(const Object& array) {

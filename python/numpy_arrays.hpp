@@ -12,7 +12,7 @@
 namespace percuss::python {
 
 /// Memory that a NumPy array shows, through the protocol `__array_interface__`.
-struct SharedMemory {
+struct ArrayMemory {
   const void* first = nullptr;
   std::vector<std::size_t> shape;
   const char* type = "";  // as NumPy writes it: "<f8"
@@ -22,7 +22,7 @@ struct SharedMemory {
 void add_memory_class(PyObject* module);
 
 /// A read-only array of the memory, which it keeps alive.
-Object array_of(SharedMemory memory);
+Object array_of(ArrayMemory memory);
 
 template <class Value>
 constexpr const char* type_name() {

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "cli/open_files.hpp"
-#include "cli/provenance.hpp"
 #include "cli/read_flags.hpp"
+#include "cli/shell_argument.hpp"
 #include "commands/commands.hpp"
 #include "report/text/version.hpp"
 

@@ -92,7 +92,7 @@ reading the bytes of the file, and one bare FFTW transform per channel and hit.
   deflections are known exactly. Force and response pass the same anti-alias filter; then noise is added. The
   synthesis uses none of the methods under test.
 - **Error.** The RMS over all noisy runs, modes and channels: 64 runs in the main case, 16 in the others. With six modes
-  the uncertainty of such an RMS is 4 % and 7 %.
+  the uncertainty of such an RMS is 4 % for 64 runs and 7 % for 16.
 - **Bound.** The Cramér–Rao bound follows from the Fisher information of the exact signals, with a known force:
   [theory.md](../theory/theory.md), (4.16).
 - **Time.** The processor time on one thread from an HDF5 file in the page cache to the result, so other work on the
@@ -178,9 +178,10 @@ deflections. For `modal` it includes the identification of the modes.
 {}
 - The bound assumes a known force and a known number of modes, but unknown modal parameters, bias and drift.
   `drift-free` ({}) uses neither force nor modes, hence its distance from the bound. `modal` ({}) uses both.
-- With less noise the error of both stays at 0.003 to 0.004 %: the largest deflection is stated at a sample, and the
-  true maximum lies between two samples. The stated standard deviation does not include this: with 0.01 % of noise the
-  coverage of `drift-free` is only {} %. `modal` states too large a standard deviation (coverage {} % in the main case).
+- With less noise the errors of `drift-free` and `modal` stay at 0.003 to 0.004 %: the largest deflection is stated at a
+  sample, and the true maximum lies between two samples. The stated standard deviation does not include this: with
+  0.01 % of noise the coverage of `drift-free` is only {} %. `modal` states too large a standard deviation (coverage {} %
+  in the main case).
 - `small-interval` integrates the bias together with the signal, and `frequency` omits all motion below its lowest line.
   Both are faster, but useless for the largest deflection of such records. They stay for comparison with published
   results.

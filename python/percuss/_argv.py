@@ -26,7 +26,7 @@ _WRITTEN = {"figures", "blind", "table"}
 # Columns of coordinates, as in percuss.Record.
 _GEOMETRY_COLUMNS = {2: ("position_m", "angle_deg"), 3: ("x_m", "y_m", "z_m")}
 
-_PLAIN = (str, int, float)
+_SIMPLE_TYPES = (str, int, float)  # one value of them needs no conversion
 _ENCODING, _ON_ERROR = sys.getfilesystemencoding(), sys.getfilesystemencodeerrors()  # as os.fsencode
 
 
@@ -51,13 +51,13 @@ class Option:
         self.is_file = self.shown in ("FILE", "FOLDER") and not self.is_written
         # Whether the option takes a range or, instead, a list: START:STEP:END|POSITION,...
         self.may_be_list = any(":" not in form and form.endswith(",...") for form in self.shown.split("|"))
-        self._takes_plain = not (self.is_flag or self.is_file or self.is_written)
+        self._takes_text = not (self.is_flag or self.is_file or self.is_written)
 
     def words(self, value: Any, files: MemoryFiles) -> list[str]:
         """The command-line words that set this value; none for None, which means not given."""
         if value is None:
             return []
-        if self._takes_plain and type(value) in _PLAIN:  # most values: the general way takes several times as long
+        if self._takes_text and type(value) in _SIMPLE_TYPES:  # most values: the general way takes several times as long
             return [f"{self.flag}={value!r}" if type(value) is float else f"{self.flag}={value}"]
         if self.is_flag:
             if not isinstance(value, (bool, np.bool_)):
@@ -167,7 +167,7 @@ def _file_text(value: Any, name: str) -> str:
     if columns is not None:
         return columns_text(columns, name)
     if isinstance(value, (dict, list)) and not _is_table(value):
-        return json.dumps(value, default=_plain)
+        return json.dumps(value, default=_as_json)
     return _table_text(_table(value, name), name)
 
 
@@ -200,7 +200,7 @@ def _table_text(table: np.ndarray, name: str) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _plain(value: Any) -> Any:
+def _as_json(value: Any) -> Any:
     """A number or array of NumPy within a document, as JSON has it."""
     if isinstance(value, (np.ndarray, np.generic)):
         return value.tolist()

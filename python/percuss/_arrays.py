@@ -46,10 +46,9 @@ class Responses:
     value = property(lambda self: self._stack(3))
     std = property(lambda self: self._stack(4))
     coherence = property(lambda self: self._stack(5))
-    averages = property(lambda self: frozen(np.array([one[2] for one in self._all.values()])))
 
     @property
-    def least_averages(self) -> int:
+    def min_averages(self) -> int:
         return min((int(one[2]) for one in self._all.values()), default=0)
 
     def at(self, point: int, channel: int) -> np.ndarray:
@@ -146,10 +145,16 @@ def points_of(points: Any, count: int, of: str = "hits") -> list[int]:
     return [int(one) for one in array]
 
 
-def names_of(names: Any, signals: int, has_force: bool) -> list[str]:
-    if isinstance(names, (str, bytes)) or not all(isinstance(one, str) for one in names):
+def texts_of(names: Any) -> list[str]:
+    """The names as a list. Raises InputError for a single text, and for names that are no texts."""
+    given = [] if isinstance(names, (str, bytes)) else list(names)
+    if isinstance(names, (str, bytes)) or not all(isinstance(one, str) for one in given):
         raise InputError(f"{one_line(names)} is not a list of names", "names", "give a list of texts")
-    given = list(names)
+    return given
+
+
+def names_of(names: Any, signals: int, has_force: bool) -> list[str]:
+    given = texts_of(names)
     if given and len(given) != signals:
         wanted = "one for the force and one for each acceleration" if has_force else "one for each acceleration"
         raise InputError(f"{len(given)} names for {signals} signals", "names", f"give {wanted}")

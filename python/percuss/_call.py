@@ -57,7 +57,7 @@ def _given(options: dict[str, Any]) -> dict[str, Any]:
     return {key: value for key, value in options.items() if value is not None and value is not False}
 
 
-def of_data(name: str, command: str, data: tuple[Any, ...], options: dict[str, Any]) -> _percuss.CommandResult:
+def run_on_data(name: str, command: str, data: tuple[Any, ...], options: dict[str, Any]) -> _percuss.CommandResult:
     """The outcome of a command that reads files, records, FRFs or arrays."""
     declaration, given = COMMANDS[command], _given(options)
     paths, handles, are_arrays = handles_of(data, options.get("fs"))
@@ -69,12 +69,12 @@ def of_data(name: str, command: str, data: tuple[Any, ...], options: dict[str, A
     return declaration.run(name, paths, handles, given)
 
 
-def of_documents(name: str, command: str, documents: tuple[Any, ...], options: dict[str, Any]) -> _percuss.CommandResult:
+def run_on_documents(name: str, command: str, documents: tuple[Any, ...], options: dict[str, Any]) -> _percuss.CommandResult:
     """The outcome of a command that reads documents or tables, or nothing."""
     return COMMANDS[command].run(name, list(documents), [], _given(options))
 
 
-def of_files(name: str, command: str, paths: tuple[Any, ...], options: dict[str, Any]) -> Any:
+def read_files(name: str, command: str, paths: tuple[Any, ...], options: dict[str, Any]) -> Any:
     """The records and FRFs of files; a list if there are several."""
     flat = list(paths[0]) if len(paths) == 1 and isinstance(paths[0], (list, tuple)) else list(paths)
     opened = COMMANDS[command].run(name, flat, [], _given(options)).opened()
@@ -87,17 +87,17 @@ def of_files(name: str, command: str, paths: tuple[Any, ...], options: dict[str,
 
 
 def _read_again(paths: list[str], options: dict[str, Any], index: int) -> Any:
-    made = of_files("read", "read", tuple(paths), options)
+    made = read_files("read", "read", tuple(paths), options)
     return made[index] if isinstance(made, list) else made
 
 
-def of_spec(name: str, command: str, spec: tuple[Any, ...], options: dict[str, Any]) -> Synthetic:
+def synthesise_spec(name: str, command: str, spec: tuple[Any, ...], options: dict[str, Any]) -> Synthetic:
     """A synthetic test."""
     one = spec[0]
     if isinstance(one, (str, bytes, os.PathLike)) and os.path.exists(one):
         spec = (os.path.abspath(os.fsdecode(one)),)
-    return Synthetic(of_documents(name, command, (one,), options), (_make_again, (spec, _given(options))))
+    return Synthetic(run_on_documents(name, command, (one,), options), (_make_again, (spec, _given(options))))
 
 
 def _make_again(spec: tuple[Any, ...], options: dict[str, Any]) -> Synthetic:
-    return of_spec("synth", "synth", spec, options)
+    return synthesise_spec("synth", "synth", spec, options)

@@ -12,8 +12,9 @@ from ._errors import InputError, note_in_python
 from ._frf_arrays import averages_given, channel_names_given, coherence_given, frequencies_given, responses_given, std_given, window_decay_given
 from ._optional import frf_frame, frf_html
 from ._plots import plot_frf
+from ._synthesis import KINDS, require_kind
 
-_UNITS = {"accelerance": "(m/s²)/N", "mobility": "(m/s)/N", "receptance": "m/N"}
+_UNITS = dict(zip(KINDS, ("(m/s²)/N", "(m/s)/N", "m/N")))
 
 
 Channel = Tuple[str, Optional[float], Optional[float]]  # name, angle in rad and position in m, or None
@@ -53,8 +54,10 @@ class Frf:
     ------
     InputError
         Shapes that do not agree; responses that are real, without a phase; frequencies that do not rise, are uneven or
-        negative; coherences outside 0 … 1, negative standard deviations, values that are masked or not finite; an
-        unknown kind; a point given twice.
+        negative; coherences outside 0 … 1, negative standard deviations, values that are masked or not finite; a point
+        given twice.
+    UsageError
+        An unknown kind.
     TypeError
         Values that are not numbers.
 
@@ -92,8 +95,7 @@ class Frf:
         exponential: float | None = None,
     ) -> None:
         freq_hz = frequencies_given(frequency_hz)
-        if kind not in _UNITS:
-            raise InputError(f"the kind {kind!r} is not known", "kind", "give accelerance, mobility or receptance")
+        require_kind(kind)
         value = responses_given(H, "H", complex, len(freq_hz))
         numbers = points_of(points, len(value), "points of H") or list(range(len(value)))
         if len(set(numbers)) != len(numbers):
@@ -144,7 +146,7 @@ class Frf:
         if self._made is None:
             value, std, coherence = (None if one is None else np.ascontiguousarray(one) for one in (self.H, self.std, self.coherence))
             assert value is not None
-            averages = self._responses.least_averages
+            averages = self._responses.min_averages
             self._made = _percuss.FrfHandle(
                 np.ascontiguousarray(self._frequency_hz), value, std, coherence, self._kind, self.points.tolist(), self._channels,
                 averages, self._decay_per_s,
@@ -237,7 +239,7 @@ class Frf:
         return np.array(self.H, dtype=dtype) if copy or dtype is not None else self.H
 
     def __reduce__(self) -> Any:
-        averages = self._responses.least_averages
+        averages = self._responses.min_averages
         given = (
             np.array(self.frequency_hz), self._kind, self.points.tolist(), self._channels, averages, self._decay_per_s, self._source,
             np.array(self.H), *(None if one is None else np.array(one) for one in (self.std, self.coherence)),

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ._arrays import one_line
+from ._arrays import one_line, texts_of
 from ._errors import InputError
 
 _ROUNDING = 1e-6  # programs store coherences in single precision, and 1 becomes a little more
@@ -73,9 +73,7 @@ def window_decay_given(exponential: Any, freq_hz: np.ndarray) -> float:
 
 
 def channel_names_given(names: Any, channels: int) -> list[str]:
-    if isinstance(names, (str, bytes)) or not all(isinstance(one, str) for one in names):
-        raise InputError(f"{one_line(names)} is not a list of names", "names", "give a list of texts")
-    given = list(names) or [f"channel {i + 1}" for i in range(channels)]
+    given = texts_of(names) or [f"channel {i + 1}" for i in range(channels)]
     if len(given) != channels:
         raise InputError(f"{len(given)} names for {channels} channels", "names", "give one for each channel")
     return given

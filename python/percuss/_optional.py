@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-_MOST_ROWS = 20  # of a table in a notebook
+_MAX_ROWS = 20  # of a table in a notebook
 STYLE = (
     "<style>.percuss table{border-collapse:collapse;font-variant-numeric:tabular-nums}"
     ".percuss th,.percuss td{padding:.2rem .9rem .2rem 0;text-align:left;vertical-align:top;white-space:nowrap}"
@@ -46,8 +46,8 @@ def frf_frame(frf: Any) -> Any:
 def html_table(head: list[str], rows: list[list[str]]) -> str:
     """A table of plain texts, with its style."""
     cells = lambda tag, row: "".join(f"<{tag}>{html.escape(one)}</{tag}>" for one in row)  # noqa: E731
-    body = "".join(f"<tr>{cells('td', row)}</tr>" for row in rows[:_MOST_ROWS])
-    more = f"<p>and {len(rows) - _MOST_ROWS} more</p>" if len(rows) > _MOST_ROWS else ""
+    body = "".join(f"<tr>{cells('td', row)}</tr>" for row in rows[:_MAX_ROWS])
+    more = f"<p>and {len(rows) - _MAX_ROWS} more</p>" if len(rows) > _MAX_ROWS else ""
     return f'{STYLE}<div class="percuss"><table><tr>{cells("th", head)}</tr>{body}</table>{more}</div>'
 
 

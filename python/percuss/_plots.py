@@ -10,7 +10,7 @@ from ._errors import UsageError
 from ._optional import optional_module
 from ._synthesis import synthesised
 
-_MOST_CURVES = 12  # more are drawn thin and without a legend
+_MAX_CURVES = 12  # more are drawn thin and without a legend
 _MARKS = {"stable": ("o", "tab:green"), "frequency": ("v", "tab:orange"), "new": (".", "0.7")}
 
 
@@ -41,7 +41,7 @@ def plot_frf(frf: Any, point: int | None, channel: int | None, ax: Any, fit: Any
     """Magnitude and phase over frequency. `fit` (points, channels, lines) is drawn dashed over each response."""
     magnitude, phase = axes = _axes(2, ax, [3, 1])
     drawn = _places(frf.points.tolist(), frf.H.shape[1], point, channel)
-    few = len(drawn) <= _MOST_CURVES
+    few = len(drawn) <= _MAX_CURVES
     tiny = np.finfo(float).tiny
     for row, number, c in drawn:
         curve = frf.H[row, c]
@@ -102,11 +102,11 @@ def plot_curves(curves: list[dict[str, Any]], fs_hz: float, ax: Any) -> Any:
     [axes] = _axes(1, ax)
     for curve in curves:
         t_s = curve["first_s"] + np.arange(len(curve["deflection_m"])) / fs_hz
-        label = f"hit {curve['hit'] + 1}, channel {curve['channel'] + 1}" if len(curves) <= _MOST_CURVES else None
+        label = f"hit {curve['hit'] + 1}, channel {curve['channel'] + 1}" if len(curves) <= _MAX_CURVES else None
         axes.plot(1e3 * t_s, 1e3 * curve["deflection_m"], lw=0.9, label=label)
     axes.set_xlabel("time, ms")
     axes.set_ylabel("deflection, mm")
-    if len(curves) <= _MOST_CURVES:
+    if len(curves) <= _MAX_CURVES:
         axes.legend(fontsize="small")
     return axes
 

@@ -62,8 +62,8 @@ class Record:
         self._description = self._handle.describe()
 
     @classmethod
-    def _from_handle(cls, handle: Any, again: tuple[Any, tuple[Any, ...]] | None = None) -> Record:
-        """`again` is the function, with its arguments, from which pickle makes the record again."""
+    def _from_handle(cls, handle: Any, again: tuple[Any, tuple[Any, ...]] | None) -> Record:
+        """`again` is the function, with its arguments, from which pickle makes the record again; None for a record of arrays."""
         made = cls.__new__(cls)
         made._given = None
         made._again = again
@@ -73,16 +73,12 @@ class Record:
 
     @classmethod
     def _from_arrays(cls, *given: Any) -> Record:
-        made = cls._from_handle(_percuss.RecordHandle(*given))
+        made = cls._from_handle(_percuss.RecordHandle(*given), None)
         made._given = given
         return made
 
     def __reduce__(self) -> Any:
-        if self._given is not None:
-            return type(self)._from_arrays, self._given
-        if self._again is None:
-            raise TypeError(f"this record ({self.source}) is not copied to other processes; pass its path, or arrays")
-        return self._again
+        return (type(self)._from_arrays, self._given) if self._again is None else self._again
 
     def __copy__(self) -> Record:
         return self  # immutable

@@ -8,6 +8,14 @@ import numpy as np
 
 from ._errors import InputError, UsageError
 
+KINDS = ("accelerance", "mobility", "receptance")  # each is the one before it divided by s
+
+
+def require_kind(kind: Any) -> None:
+    """Raises UsageError for what is no kind of FRF."""
+    if kind not in KINDS:
+        raise UsageError(f"cannot be {kind!r}", "give accelerance, mobility or receptance", ["kind"])
+
 
 def laplace_of(freq_hz: Any) -> np.ndarray:
     """s = jω of frequencies that a user gives."""
@@ -19,12 +27,10 @@ def laplace_of(freq_hz: Any) -> np.ndarray:
 
 def synthesised(analysis: Any, s: np.ndarray, kind: str, residual_terms: bool) -> np.ndarray:
     """FRFs (points, channels, lines) of the modes of an Analysis at s."""
-    orders = {"accelerance": 0, "mobility": 1, "receptance": 2}
-    if kind not in orders:
-        raise UsageError(f"cannot be {kind!r}", "give accelerance, mobility or receptance", ["kind"])
+    require_kind(kind)
     omega = 2 * np.pi * analysis.frequency_hz[:, None]
     # The powers of s are cancelled here, so the terms of mobility and receptance are finite at 0 Hz, except `lower`.
-    power = 2 - orders[kind]
+    power = 2 - KINDS.index(kind)
     modal = s**power / (s**2 + 2 * analysis.damping_ratio[:, None] * omega * s + omega**2)
     out = np.einsum("mpc,ml->pcl", analysis.residues, modal)
     if residual_terms:

@@ -11,6 +11,7 @@ from ._arrays import Responses
 from ._errors import NoHitError, UsageError
 from ._frf import Frf, channel_of
 from ._results import Result
+from ._synthesis import require_kind
 
 
 class TestResult(Result):
@@ -84,8 +85,7 @@ class TestResult(Result):
         """
         self._require_hits()
         kind = kind or self._kind
-        if kind not in ("accelerance", "mobility", "receptance"):
-            raise UsageError(f"cannot be {kind!r}", "give accelerance, mobility or receptance", ["kind"])
+        require_kind(kind)
         if ("frf", kind) not in self._cache:
             responses = Responses(self._computed("frfs", kind))
             signals = self._computed("signals")

@@ -16,6 +16,16 @@ _UNITS = {
     "mV/N": "mV/N", "mV/g": "mV/g", "mV/Pa": "mV/Pa",
 }  # fmt: skip
 _QUANTITY_UNITS = {"M", "KG", "M/S", "KG*M2"}  # a text may state another unit
+# What may stand in place of a file: an array or a dict of columns for a table, a dict or a Result for a document.
+_FILES = {
+    "bats": "path, array, dict or Result", "compare": "path, dict or Result", "geometry": "path, array or dict",
+    "hoop_curve": "path, dict or Result", "logo": "path", "profile": "path, array or dict", "setup": "path or dict",
+}  # fmt: skip
+# Texts of the command line that are not true in Python.
+_IN_PYTHON = {
+    " (repeatable)": "", "(repeatable, or a list)": "", " (on standard error, or in the JSON document)": "",
+    "; on a terminal also a picture over time": "", "the options under Reading": "the keywords for reading files",
+}  # fmt: skip
 
 
 def _choices(option: Option) -> str:
@@ -70,9 +80,11 @@ def _in_words(option: Option) -> str:
     if option.choices:
         named = "{" + ", ".join(f"'{one}'" for one in option.choices) + "}"
         return f"{named} or a list of them" if option.list else named
+    if option.is_file:
+        return _FILES[option.id] + (", or a list of them" if option.repeatable else "")
     kind = annotation(option)
     words = {
-        "bool": "bool", "Path": "path", "File": "path, array, dict or Result", "File | Sequence[File]": "path, array, dict or Result, or a list of them",
+        "bool": "bool", "Path": "path",
         "int": "int", "int | Sequence[int]": "int or list of int",
         "int | str | Sequence[int | str]": "int, str, or a list of them", "float": "float", "Numbers": "float or list of float", "Quantity": "float",
         "Quantities": "float or list of float", "Band": "(low, high)", "Rate": "float or str", "Assignments": "dict or str", "str": "str", "str | int": "str or int",
@@ -91,7 +103,9 @@ def in_keywords(text: str, command: Command) -> str:
     names = {option.flag: f"`{option.keyword}`" for option in command.options.values()}
     names["--example"] = f'`percuss.example("{command.name}")`'
     text = re.sub(r"percuss ([a-z]+) --example", r'`percuss.example("\1")`', text)
-    text = re.sub(r" (with )?--json\b", "", text).replace(" (repeatable)", "").replace("(repeatable, or a list)", "")
+    text = re.sub(r" (with )?--json\b", "", text)
+    for shown, in_python in _IN_PYTHON.items():
+        text = text.replace(shown, in_python)
     return re.sub(r"--[a-z][a-z0-9-]*", lambda match: names.get(match[0], f"`{match[0][2:].replace('-', '_')}`"), text).strip()
 
 
@@ -125,7 +139,7 @@ def docstring(function: Function, command: Command) -> list[str]:
         own += _entry(name, words, text)
     reading: list[str] = []
     for option in sorted(command.options.values(), key=lambda one: not one.required):
-        into = reading if option.group == "Reading" and function.call == "of_data" and option.id != "fs" else own
+        into = reading if option.group == "Reading" and function.call == "run_on_data" and option.id != "fs" else own
         into += _option_entry(option, command)
     lines = _filled(_sentence(in_keywords(command.summary, command)))
     about = in_keywords(command.about, command)
@@ -135,7 +149,7 @@ def docstring(function: Function, command: Command) -> list[str]:
     lines += _section("Other Parameters", reading)
     lines += _section("Raises", _entry("InputError", "", "Data that percuss cannot use.") + _entry("UsageError", "", "Invalid values, and keywords that exclude each other.") + _entry("TypeError", "", "Unknown keywords, and values of another type."))  # fmt: skip
     lines += _section("See Also", [f"{name} : {text}" for name, text in function.see_also])
-    page = "performance" if command.name.split()[0] in ("metrics", "certify", "abi") else "theory"
+    page = "performance" if command.name.split()[0] in ("metrics", "certify", "abi", "study") else "theory"
     source = f"The keywords are the options of `percuss {command.name}`; docs/theory/{page}.md has the equations."
     notes = ([*_filled(function.notes), ""] if function.notes else []) + _filled(
         source if command.name != "read" else "The keywords are the options under Reading of `percuss analyze`."

@@ -15,6 +15,8 @@ DATA = (
 )
 # For functions that need hits over time, and refuse FRFs.
 RECORDS = (DATA[0], DATA[1], "path, array or Record", DATA[3].replace("; or records; or FRFs.", "; or records."))
+# For the calibration, whose force has any unit.
+UNCALIBRATED = (*RECORDS[:3], RECORDS[3].replace("force in N and acceleration in m/s²", "force as stored and acceleration in m/s² or in `unit`"))
 
 
 @dataclass(frozen=True)
@@ -27,15 +29,15 @@ class Function:
     result: str
     returns: str
     parts: tuple[tuple[str, str, str, str], ...] = ()
-    call: str = "of_documents"  # the function of _call.py that runs the command
+    call: str = "run_on_documents"  # the function of _call.py that runs the command
     imports: tuple[str, ...] = ("from .._results import Result",)
     notes: str = ""
     example: str = ""
     see_also: tuple[tuple[str, str], ...] = ()
 
 
-_MEASURED = {"parts": (DATA,), "call": "of_data"}
-_RECORDED = {"parts": (RECORDS,), "call": "of_data"}
+_MEASURED = {"parts": (DATA,), "call": "run_on_data"}
+_RECORDED = {"parts": (RECORDS,), "call": "run_on_data"}
 
 FUNCTIONS = (
     Function(
@@ -97,12 +99,13 @@ True
     ),
     Function(
         "calibrate", "calibrate", "Result",
-        "`force_scale` and `force_scale_std` in N per stored unit of the force channel, `n_per_unit` (without the sign), `hits`.", **_RECORDED,
+        "`force_scale` and `force_scale_std` in N per stored unit of the force channel, `n_per_unit` (without the sign), `hits`.",
+        parts=(UNCALIBRATED,), call="run_on_data",
     ),
     Function(
         "synth", "synth", "Synthetic", "`record` is a Record; `to_dict()` the truth.",
         parts=(("spec", "File", "str, path or dict", "The name of a preset, a file, or a dictionary; docs/guides/synth.md describes its keys."),),
-        imports=("from .._results import Synthetic",), call="of_spec",
+        imports=("from .._results import Synthetic",), call="synthesise_spec",
         see_also=(("presets", "the names of the presets"),),
         example="""
 >>> import percuss
@@ -115,7 +118,7 @@ True
     ),
     Function(
         "read", "read", "Measured", "A list if several files are named. A record's samples are read on demand.",
-        parts=(("*paths", "Paths", "path", "HDF5, MAT, UFF, LabVIEW, sound, CSV or text."),), call="of_files",
+        parts=(("*paths", "Paths", "path", "HDF5, MAT, UFF, LabVIEW, sound, CSV or text."),), call="read_files",
         imports=(),
         see_also=(("info", "describe files without an exception"), ("write", "write records and FRFs")),
     ),

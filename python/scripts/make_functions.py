@@ -50,7 +50,7 @@ def _call(function: Function, command: Command) -> str:
     pairs = " ".join(f'"{one.keyword}":\xa0{one.keyword},' for one in command.options.values())
     keywords = "\n".join(textwrap.wrap(pairs, _WIDTH - 8, initial_indent=" " * 8, subsequent_indent=" " * 8)).replace("\xa0", " ")
     made = f'{function.call}("{function.name}", "{function.command}", {given}, {{\n{keywords}\n    }})'
-    if function.call in ("of_files", "of_spec"):  # these functions make the result themselves
+    if function.call in ("read_files", "synthesise_spec"):  # these functions make the result themselves
         return made
     return f"{function.result}({made}{', kind=kind' if function.name == 'frf' else ''})"
 

@@ -106,6 +106,22 @@ TEST_F(StudyCommand, RejectsUnusableInput) {
   EXPECT_EQ(study({}).code, 2);
 }
 
+TEST_F(StudyCommand, ChecksThePathsOfKeyAndTableFirst) {
+  std::filesystem::create_directory(folder_.file("folder"));
+  std::filesystem::create_symlink("none.csv", folder_.file("link.csv"));
+  for (const std::string option : {"--blind", "--table"}) {
+    const auto refusal = [&](const std::string& path) {
+      const auto outcome = study({"no-such-table.csv", option, path});
+      EXPECT_EQ(outcome.code, 3) << option << " " << path;
+      return outcome.err;
+    };
+    EXPECT_THAT(refusal("bats.csv"), HasSubstr("file exists (bats.csv)"));
+    EXPECT_THAT(refusal("folder"), HasSubstr("is a folder (folder); name a file"));
+    EXPECT_THAT(refusal("link.csv"), HasSubstr("is a link to a file that does not exist (link.csv)"));
+    EXPECT_THAT(refusal("missing/t.csv"), HasSubstr("create the folder first"));
+  }
+}
+
 TEST_F(StudyCommand, JoinsAnalysesThatNameTheirBat) {
   ASSERT_EQ(run_percuss({"synth", "wood-bat", "-o", "w.h5", "--quiet"}, {.folder = folder_.path()}).code, 0);
   const auto analysis =

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 
@@ -55,6 +56,24 @@ TEST_F(SynthCommand, OverwritesOnlyWhenForced) {
   EXPECT_TRUE(before == bytes_of(path("a.h5")));
   EXPECT_EQ(synth({"truncated", "--seed", "2", "--force", "-o", path("a.h5")}).code, 0);
   EXPECT_FALSE(before == bytes_of(path("a.h5")));
+}
+
+TEST_F(SynthCommand, ChecksThePathsOfRecordAndTruthFirst) {
+  fs::create_directory(path("folder.h5"));
+  fs::create_directory(path("b.truth.json"));
+  ASSERT_EQ(::mkfifo(path("pipe.csv").c_str(), 0600), 0);
+  fs::create_symlink("none.h5", path("link.h5"));
+  write_bytes(path("bad.json"), "{");  // the paths are refused before the spec is read
+  const auto refusal = [&](const std::string& name) {
+    const ProcessOutcome outcome = synth({path("bad.json"), "-o", path(name)});
+    EXPECT_EQ(outcome.code, 3) << name;
+    return outcome.err;
+  };
+  EXPECT_THAT(refusal("folder.h5"), HasSubstr("is a folder (" + path("folder.h5") + "); name a file"));
+  EXPECT_THAT(refusal("b.csv"), HasSubstr("is a folder (" + path("b.truth.json") + "); name a file"));
+  EXPECT_THAT(refusal("pipe.csv"), HasSubstr("is not a regular file (" + path("pipe.csv") + "); name a file"));
+  EXPECT_THAT(refusal("link.h5"), HasSubstr("is a link to a file that does not exist (" + path("link.h5") + ")"));
+  EXPECT_THAT(synth({path("bad.json"), "--force", "-o", path("folder.h5")}).err, HasSubstr("is a folder"));
 }
 
 TEST_F(SynthCommand, PrintsAnExampleThatItAccepts) {

@@ -9,22 +9,22 @@
 namespace percuss::tools {
 namespace {
 
-std::optional<std::size_t> whole_number(std::string_view text) {
-  std::size_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || value > kMaxListedNumber) return std::nullopt;
-  return value;
-}
-
 bool is_all(const std::string& piece) { return lower_case(piece) == "all"; }
 
 }  // namespace
+
+std::optional<std::size_t> whole_number(std::string_view text) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
 
 std::optional<std::pair<std::size_t, std::size_t>> number_range(std::string_view text) {
   const std::size_t dash = text.find('-');
   const auto first = whole_number(text.substr(0, dash));
   const auto last = dash == std::string_view::npos ? first : whole_number(text.substr(dash + 1));
-  if (!first || !last || *last < *first) return std::nullopt;
+  if (!first || !last || *last < *first || *last > kMaxListedNumber) return std::nullopt;
   return std::pair(*first, *last);
 }
 

@@ -12,8 +12,11 @@ namespace percuss::tools {
 
 inline constexpr std::size_t kMaxListedNumber = 1'000'000;
 
-/// The first and the last number of a piece of a list, "8" or "1-5"; nothing for other texts,
-/// and for numbers above kMaxListedNumber.
+/// A whole number in decimal digits, 0 or above; nothing for other texts.
+std::optional<std::size_t> whole_number(std::string_view text);
+
+/// The first and the last number of a piece of a list, "8" or "1-5"; nothing for other texts, and for
+/// numbers above kMaxListedNumber.
 std::optional<std::pair<std::size_t, std::size_t>> number_range(std::string_view text);
 
 /// What a list of hits may hold. Error messages put it after the word "give".

@@ -26,6 +26,13 @@ namespace {
 constexpr std::size_t kMaxNoteBytes = 2000;
 constexpr std::string_view kPageExtension = ".html";
 
+// The kinds, and .pdf after .html.
+std::vector<std::string> with_pdf(std::vector<std::string> kinds) {
+  if (const auto page = std::find(kinds.begin(), kinds.end(), kPageExtension); page != kinds.end())
+    kinds.insert(page + 1, ".pdf");
+  return kinds;
+}
+
 // Fails before anything is computed rather than at the end.
 void check_pages(const OutputFlags& flags) {
   const bool page = std::any_of(flags.paths.begin(), flags.paths.end(), is_page);
@@ -43,19 +50,17 @@ void check_pages(const OutputFlags& flags) {
 
 }  // namespace
 
-void add_output_flags(Command& command, OutputFlags& flags, const char* kinds) {
+void add_output_flags(Command& command, OutputFlags& flags, const std::vector<std::string>& kinds) {
   flags.host = command.host();
   const std::string previous = command.heading("Output");
-  std::string shown = kinds;
-  const std::size_t page = shown.find(kPageExtension);
-  if (page != std::string::npos) shown.insert(page + kPageExtension.size(), ", .pdf");
-  const std::string help = "Write this file; its extension sets the kind: " + shown + " (repeatable)";
+  const std::string help =
+      fmt::format("Write this file; its extension sets the kind: {} (repeatable)", fmt::join(with_pdf(kinds), ", "));
   command.repeatable("-o,--output", flags.paths, help.c_str()).type("FILE");
   command.flag("--json", flags.json, "Print one JSON document on standard output");
   command.flag("--force", flags.force, "Overwrite existing files");
   command.flag("--quiet", flags.quiet, "Print no progress and no warnings");
   command.heading(previous);
-  if (page != std::string::npos) add_title_flags(command, flags.title);
+  if (std::find(kinds.begin(), kinds.end(), kPageExtension) != kinds.end()) add_title_flags(command, flags.title);
 }
 
 void add_formula_flag(Command& command, bool& keep_formulas) {
@@ -133,6 +138,8 @@ bool writes_charts(const OutputFlags& flags) {
                      [](const std::string& path) { return is_page(path) || extension_of(path) == ".svg"; });
 }
 
+namespace {
+
 void require_folder(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::error_code failed;
@@ -142,8 +149,6 @@ void require_folder(const std::string& path) {
   const bool absent = !std::filesystem::exists(folder, failed);
   throw_system_error("cannot write", absent ? ENOENT : ENOTDIR, path, "create the folder first");
 }
-
-namespace {
 
 // Refuses a folder and a pipe or device; without `force` also an existing file, and a link whose target does not exist:
 // writing follows a link only to an existing file.
@@ -164,10 +169,13 @@ void require_place(const std::string& path, bool force) {
 
 }  // namespace
 
+void require_output_path(const std::string& path, bool force) {
+  require_folder(path);
+  require_place(path, force);
+}
+
 void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kinds) {
-  std::vector<std::string> known = kinds;
-  if (const auto page = std::find(known.begin(), known.end(), kPageExtension); page != known.end())
-    known.insert(page + 1, ".pdf");
+  const std::vector<std::string> known = with_pdf(kinds);
   std::set<std::string> seen;
   for (const std::string& path : flags.paths) {
     if (std::find(known.begin(), known.end(), extension_of(path)) == known.end()) {
@@ -176,8 +184,7 @@ void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kin
     }
     if (!seen.insert(path).second)
       throw OptionError({}, "'" + path + "' is to be written twice", "name each file once");
-    require_folder(path);
-    require_place(path, flags.force);
+    require_output_path(path, flags.force);
   }
   check_pages(flags);
 }

@@ -21,9 +21,9 @@ struct OutputFlags {
   std::string equivalent_command;  // the host's command line, for files that it saves after the run
 };
 
-/// `kinds` lists the extensions that the command passes to check_outputs: ".json, .csv". With .html, pages can be
-/// written as .pdf too, and have a title block.
-void add_output_flags(Command& command, OutputFlags& flags, const char* kinds);
+/// `kinds` are the extensions that the command passes to check_outputs. With .html, pages can be written as .pdf too,
+/// and have a title block.
+void add_output_flags(Command& command, OutputFlags& flags, const std::vector<std::string>& kinds);
 
 /// Adds --keep-formulas, for commands that write texts to CSV. csv_formulas() converts the flag.
 void add_formula_flag(Command& command, bool& keep_formulas);
@@ -56,14 +56,15 @@ bool is_json(const std::string& path);
 /// Whether an output file holds charts: .svg or a page.
 bool writes_charts(const OutputFlags& flags);
 
-/// errors  InputError, as when the file is written: its folder does not exist
-void require_folder(const std::string& path);
+/// Checks before anything is computed that a file can be written to the path.
+/// errors  InputError, as when the file is written: for a folder that does not exist; for a folder, pipe or device in
+///         place of a file; without `force` also for an existing file, and for a link to a file that does not exist
+void require_output_path(const std::string& path, bool force);
 
-/// Checks the output paths before anything is computed. Throws UsageError for an extension that is not in `known` or a
-/// path given twice, or statements for a page where none is written. Throws InputError for an existing file, or a link
-/// to a file that does not exist, unless --force is given; for a folder, pipe or device in place of a file; for a folder
-/// that does not exist; for files of the title block that cannot be used; and for .pdf without a browser.
-void check_outputs(const OutputFlags& flags, const std::vector<std::string>& known);
+/// Checks the output paths before anything is computed. Throws UsageError for an extension that is not in `kinds` or a
+/// path given twice, or statements for a page where none is written. Throws InputError as require_output_path; for
+/// files of the title block that cannot be used; and for .pdf without a browser.
+void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kinds);
 
 /// Whether standard output is a terminal wide enough for a plot of characters.
 bool can_plot_in_terminal();

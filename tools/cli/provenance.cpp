@@ -1,13 +1,11 @@
 #include "cli/provenance.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <string>
-#include <string_view>
 
 #include "acquire/channels/channel_setup.hpp"
+#include "cli/shell_argument.hpp"
 #include "report/text/creation_time.hpp"
 
 namespace percuss::tools {
@@ -27,16 +25,6 @@ std::string command_line() {
 }
 
 }  // namespace
-
-std::string shell_quoted_argument(const std::string& word) {
-  const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::string_view("-_./:,=+%@").find(static_cast<char>(c)) != std::string_view::npos;
-  });
-  if (plain) return word;
-  std::string out = "'";
-  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
 
 report::Provenance provenance_now(const OutputFlags& flags) {
   return {.command = flags.equivalent_command.empty() ? command_line() : flags.equivalent_command,

@@ -10,7 +10,4 @@ report::Provenance provenance_now(const OutputFlags& flags);
 /// The same, with the instruments of the channel set-up in the title block.
 report::Provenance provenance_now(const OutputFlags& flags, const std::string& setup_path);
 
-/// The word quoted for a shell, if it needs quotes.
-std::string shell_quoted_argument(const std::string& word);
-
 }  // namespace percuss::tools

@@ -1,5 +1,9 @@
 #include "cli/report_output.hpp"
 
+#include <fmt/format.h>
+
+#include <iostream>
+
 #include "cli/exit_code.hpp"
 #include "cli/option_names.hpp"
 #include "cli/page_output.hpp"
@@ -17,7 +21,12 @@ std::string text_for(const std::string& path, const report::CommandReport& repor
 
 }  // namespace
 
-void check_report_outputs(const OutputFlags& flags) { check_outputs(flags, {".json", ".csv", ".svg", ".html"}); }
+const std::vector<std::string>& report_extensions() {
+  static const std::vector<std::string> kExtensions{".json", ".csv", ".svg", ".html"};
+  return kExtensions;
+}
+
+void check_report_outputs(const OutputFlags& flags) { check_outputs(flags, report_extensions()); }
 
 void write_report(const std::string& path, const report::CommandReport& report, const std::vector<std::string>& inputs,
                   const OutputFlags& flags) {
@@ -58,6 +67,11 @@ int show_report(const report::CommandReport& report, const OutputFlags& flags, c
     };
   }
   return kOk;
+}
+
+void print_trace(const pipeline::Analysis& analysis) {
+  for (const auto& stage : analysis.trace().stages())
+    std::cerr << fmt::format("{:<20} {:>6} calls  {:.6f} s\n", stage.name, stage.calls, stage.seconds);
 }
 
 std::vector<std::string> inputs_of(const pipeline::Analysis& analysis) {

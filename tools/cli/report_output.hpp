@@ -8,9 +8,10 @@
 
 namespace percuss::tools {
 
-constexpr const char* kReportKinds = ".json, .csv, .svg, .html";
+/// The extensions of the kinds of file of a report, for add_output_flags().
+const std::vector<std::string>& report_extensions();
 
-/// Checks the output paths for the kinds of file of a report. Throws as check_outputs.
+/// Checks the output paths for these kinds. Throws as check_outputs.
 void check_report_outputs(const OutputFlags& flags);
 
 /// Writes the output files, then prints the document or the text; returns kOk. The page names the files that were read,
@@ -22,6 +23,9 @@ int show_report(const report::CommandReport& report, const OutputFlags& flags,
 void write_report(const std::string& path, const report::CommandReport& report, const std::vector<std::string>& inputs,
                   const OutputFlags& flags);
 void print_report(const report::CommandReport& report, const OutputFlags& flags);
+
+/// Prints the stages of an analysis on standard error: name, calls and seconds.
+void print_trace(const pipeline::Analysis& analysis);
 
 /// Paths of the files that an analysis read.
 std::vector<std::string> inputs_of(const pipeline::Analysis& analysis);

@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 
+#include "cli/shell_argument.hpp"
 #include "core/error.hpp"
 
 namespace percuss::tools {
@@ -13,14 +14,8 @@ namespace {
 
 constexpr std::size_t kMaxCommand_bytes = 300;  // a longer one hides its options
 
-std::string quoted(const std::string& word) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%^";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string out = "'";
-  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  out += "'";
-  return one_line(out, std::string::npos);
-}
+// For a message of one line.
+std::string quoted(const std::string& word) { return one_line(shell_quoted_argument(word), std::string::npos); }
 
 // Whether the word is an option that the guess replaces.
 bool is_role_option(std::string_view word) {

@@ -59,8 +59,8 @@ report::TitleBlock title_block(const TitleFlags& flags) {
                            .logo = logo_of(flags.logo),
                            .facts = {}};
   if (flags.paper == "letter") {
-    block.paper = "letter";
-    block.print_width = "702";
+    block.paper = report::kLetterPaper.name;
+    block.print_width = report::kLetterPaper.print_width;
   }
   return block;
 }

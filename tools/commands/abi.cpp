@@ -48,7 +48,7 @@ void add_abi(CommandLine& line) {
   command.argument("LOG", flags->log, "Log of the steps so far; - is standard input");
   command.value("--limit", flags->limit, "Use this limit in place of the log's").above_zero();
   command.flag("--example", flags->example, "Print an example log with comments");
-  add_output_flags(command, flags->output, kReportKinds);
+  add_output_flags(command, flags->output, report_extensions());
 }
 
 }  // namespace percuss::tools

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -21,11 +19,6 @@
 
 namespace percuss::tools {
 namespace {
-
-void print_trace(const pipeline::Analysis& analysis) {
-  for (const auto& stage : analysis.trace().stages())
-    std::cerr << fmt::format("{:<20} {:>6} calls  {:.6f} s\n", stage.name, stage.calls, stage.seconds);
-}
 
 pipeline::ImpactTest deflection_of(const pipeline::Analysis& analysis) {
   if (analysis.given_frfs() != nullptr)
@@ -111,7 +104,7 @@ void add_analyze(CommandLine& line) {
   command.example("percuss analyze ping.wav", "Fit the free decay after a blow that a microphone recorded");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .hdf5, .mat, .uff, .unv");
+  add_output_flags(command, flags->output, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".mat", ".uff", ".unv"});
   const std::string previous = command.heading("Output");
   command
       .value(

@@ -51,7 +51,8 @@ void refuse_frf_files(const OutputFlags& output, const std::string& input) {
   for (const std::string& path : output.paths) {
     if (std::find(kFrfs.begin(), kFrfs.end(), extension_of(path)) != kFrfs.end()) {
       throw InputError(fmt::format("there are no FRFs to write to '{}' without a force channel", path), input,
-                       std::string("name the force's channel, or write ") + kReportKinds, {"force_channel"});
+                       fmt::format("name the force's channel, or write {}", fmt::join(report_extensions(), ", ")),
+                       {"force_channel"});
     }
   }
 }

@@ -132,7 +132,7 @@ void add_calibrate(CommandLine& line) {
   command.example("percuss calibrate hits.csv --mass 1.25 --force-channel CH8 -o hammer.json",
                   "Write the result as a document");
   add_read_flags(command, flags->read, Reads::records);
-  add_output_flags(command, flags->output, ".json");
+  add_output_flags(command, flags->output, {".json"});
   command.value("--mass", flags->mass_kg, "Set the free mass, including its accelerometer")
       .type("KG")
       .required()

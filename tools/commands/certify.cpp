@@ -69,7 +69,7 @@ void add_certify(CommandLine& line) {
                "Accept the best location within the margin as the sweet spot if no location stands out");
   command.flag("--example", flags->example, "Print an example session with comments");
   command.flag("--example-table", flags->example_table, "Print an example session as a table");
-  add_output_flags(command, flags->output, kReportKinds);
+  add_output_flags(command, flags->output, report_extensions());
 }
 
 }  // namespace percuss::tools

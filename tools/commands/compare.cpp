@@ -62,7 +62,7 @@ void add_compare(CommandLine& line) {
       .within(0, 1)
       .type("MAC")
       .show_default();
-  add_output_flags(command, flags->output, kReportKinds);
+  add_output_flags(command, flags->output, report_extensions());
 }
 
 }  // namespace percuss::tools

@@ -76,7 +76,7 @@ void add_convert(CommandLine& line) {
   command.example("percuss convert hits.csv hits.h5 --force-channel CH8 --force-unit lbf --quiet",
                   "Convert a table with forces in pounds to HDF5 in SI units, without notes on lost column names");
   add_read_flags(command, flags->read);
-  add_output_flags(command, flags->output, fmt::format("{}", fmt::join(acquire::record_extensions(), ", ")).c_str());
+  add_output_flags(command, flags->output, acquire::record_extensions());
 }
 
 }  // namespace percuss::tools

@@ -183,7 +183,7 @@ void add_deflect(CommandLine& line) {
       .type("KEY=VALUE,...");
   add_read_flags(command, flags->read, Reads::records);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output, ".json, .csv, .h5, .hdf5, .svg, .html");
+  add_output_flags(command, flags->output, {".json", ".csv", ".h5", ".hdf5", ".svg", ".html"});
 }
 
 }  // namespace percuss::tools

@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "acquire/channels/frf_unit.hpp"
 #include "cli/analysis_flags.hpp"
 #include "cli/open_files.hpp"
 #include "cli/output.hpp"
@@ -78,9 +79,7 @@ void give_to_host(const OutputFlags& output, const std::shared_ptr<const pipelin
 
 int frf(const FrfFlags& flags) {
   check_frf_outputs(flags.output);
-  const acquire::FrfKind kind = flags.kind == "mobility"     ? acquire::FrfKind::mobility
-                                : flags.kind == "receptance" ? acquire::FrfKind::receptance
-                                                             : acquire::FrfKind::accelerance;
+  const acquire::FrfKind kind = acquire::parse_frf_kind(flags.kind).value();
   const Progress progress("averaging", flags.output.quiet);
   const std::shared_ptr<const pipeline::Analysis> shared_analysis = analysis_of(flags);
   const pipeline::Analysis& analysis = *shared_analysis;
@@ -122,7 +121,7 @@ void add_frf(CommandLine& line) {
                   "Write a universal file, with an estimator for noise in force and acceleration");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output, ".csv, .h5, .hdf5, .json, .mat, .uff, .unv, .svg, .html");
+  add_output_flags(command, flags->output, {".csv", ".h5", ".hdf5", ".json", ".mat", ".uff", ".unv", ".svg", ".html"});
   command.value("--kind", flags->kind, "Write FRFs of acceleration, velocity or displacement")
       .one_of({"accelerance", "mobility", "receptance"})
       .show_default();

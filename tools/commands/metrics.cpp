@@ -173,7 +173,7 @@ void add_metrics(CommandLine& line) {
   add_metrics_readings(command, *flags);
   add_metrics_resolutions(command, *flags);
   add_metrics_constants(command, *flags);
-  add_output_flags(command, flags->output, ".json, .csv, .html");
+  add_output_flags(command, flags->output, {".json", ".csv", ".html"});
   add_formula_flag(command, flags->keep_formulas);
 }
 

@@ -179,7 +179,7 @@ void add_nodes(CommandLine& line) {
       .type("START:STEP:END[UNIT]|POSITION,...");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output, ".json, .csv, .svg, .html");
+  add_output_flags(command, flags->output, {".json", ".csv", ".svg", ".html"});
 }
 
 }  // namespace percuss::tools

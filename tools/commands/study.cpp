@@ -29,14 +29,6 @@ struct StudyFlags {
 
 std::string text_at(const std::string& path) { return std::string(read_input(path, kMaxTable_bytes).view()); }
 
-void reject_existing(const StudyFlags& flags) {
-  for (const std::string& path : {flags.key, flags.table}) {
-    std::error_code ignored;
-    if (!path.empty() && !flags.output.force && std::filesystem::exists(path, ignored))
-      throw InputError("file exists", path, "give another name, or overwrite it", {"force"});
-  }
-}
-
 void write_figures(const StudyFlags& flags, const metrics::Study& study, const report::CommandReport& report,
                    const std::optional<metrics::StudyCurve>& curve) {
   if (flags.figures.empty()) return;
@@ -65,7 +57,9 @@ int run_study(const StudyFlags& flags) {
                       {"figures", "output"});
   }
   check_report_outputs(flags.output);
-  reject_existing(flags);
+  for (const std::string& path : {flags.key, flags.table}) {
+    if (!path.empty()) require_output_path(path, flags.output.force);
+  }
   metrics::StudyRows rows;
   const std::vector<std::string> inputs = matched_files(flags.inputs);
   for (const std::string& path : inputs) rows.add(text_at(path), input_name(path));
@@ -118,7 +112,7 @@ void add_study(CommandLine& line) {
       .type("FILE");
   command.value("--table", flags->table, "Write the joined table").type("FILE");
   command.flag("--example", flags->example, "Print an example table: a synthetic population");
-  add_output_flags(command, flags->output, kReportKinds);
+  add_output_flags(command, flags->output, report_extensions());
   add_formula_flag(command, flags->keep_formulas);
 }
 

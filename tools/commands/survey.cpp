@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
 #include <charconv>
-#include <iostream>
 #include <memory>
 
 #include "cli/analysis_flags.hpp"
@@ -12,6 +9,7 @@
 #include "cli/page_output.hpp"
 #include "cli/progress.hpp"
 #include "cli/provenance.hpp"
+#include "cli/report_output.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
@@ -172,10 +170,7 @@ int run_survey(const SurveyFlags& flags) {
   write_outputs(flags, survey, document);
   print(flags.output, flags.output.json ? document : text);
   if (flags.output.host != nullptr) give_to_host(flags, results, document);
-  if (flags.trace && !flags.output.json) {
-    for (const auto& stage : analysis.trace().stages())
-      std::cerr << fmt::format("{:<20} {:>6} calls  {:.6f} s\n", stage.name, stage.calls, stage.seconds);
-  }
+  if (flags.trace && !flags.output.json) print_trace(analysis);
   return analysis.possible() ? kOk : kImpossible;
 }
 
@@ -199,7 +194,7 @@ void add_survey(CommandLine& line) {
                   "Write a page that animates the shapes, and a file for 3-D viewers");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output, ".json, .html, .svg, .csv, .h5, .hdf5, .uff, .unv, .glb");
+  add_output_flags(command, flags->output, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".uff", ".unv", ".glb"});
   command
       .value("--geometry", flags->geometry_path,
              "Read the geometry from this file, a CSV as --example prints it (default: from the record)")

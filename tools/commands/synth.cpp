@@ -28,7 +28,8 @@ struct SynthFlags {
   std::vector<std::string> outputs;
   std::optional<std::uint64_t> seed;
   std::size_t threads = 0;
-  bool force = false, list = false, example = false, json = false, quiet = false;
+  bool force = false, list = false, example = false, json = false;
+  bool quiet = false;    // accepted as by other commands; this one prints neither progress nor warnings
   Host* host = nullptr;  // receives the test in place of standard output
 };
 
@@ -56,12 +57,7 @@ void check_outputs(const SynthFlags& flags) {
       throw OptionError({}, fmt::format("'{}' is to be written twice", output), "name each file once");
     paths.insert(truth_path(output));
   }
-  for (const std::string& path : paths) {
-    require_folder(path);
-    std::error_code ignored;
-    if (!flags.force && fs::exists(path, ignored))
-      throw InputError("file exists", path, "give another name, or overwrite it", {"force"});
-  }
+  for (const std::string& path : paths) require_output_path(path, flags.force);
 }
 
 void write_outputs(const SynthFlags& flags, const synth::SyntheticTest& test, const std::string& truth) {

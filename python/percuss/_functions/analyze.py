@@ -4,7 +4,7 @@ from __future__ import annotations
 from typing import Literal, Sequence
 
 from .._analyses import Analysis
-from .._call import command_function, of_data
+from .._call import command_function, run_on_data
 from .._types import Assignments, Band, Data, File, Numbers, Path, Quantities, Rate, Texts
 
 _Only = Literal["hits", "frf", "coherence", "modes", "classes", "deflection"]
@@ -243,7 +243,7 @@ def analyze(
     >>> found.family[0], int(found.order[0])
     ('bending', 1)
     """
-    return Analysis(of_data("analyze", "analyze", data, {
+    return Analysis(run_on_data("analyze", "analyze", data, {
         "fs": fs, "df": df, "force_channel": force_channel, "accel_channel": accel_channel, "unit": unit,
         "force_unit": force_unit, "force_scale": force_scale, "accel_scale": accel_scale,
         "force_sensitivity": force_sensitivity, "accel_sensitivity": accel_sensitivity,

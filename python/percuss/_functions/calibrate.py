@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._call import command_function, of_data
+from .._call import command_function, run_on_data
 from .._results import Result
 from .._types import Data, File, Numbers, Quantities, Quantity, Rate, Texts
 
@@ -111,7 +111,7 @@ def calibrate(
     -----
     The keywords are the options of `percuss calibrate`; docs/theory/theory.md has the equations.
     """
-    return Result(of_data("calibrate", "calibrate", data, {
+    return Result(run_on_data("calibrate", "calibrate", data, {
         "fs": fs, "df": df, "force_channel": force_channel, "accel_channel": accel_channel, "unit": unit,
         "force_unit": force_unit, "force_scale": force_scale, "accel_scale": accel_scale,
         "force_sensitivity": force_sensitivity, "accel_sensitivity": accel_sensitivity,

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._call import command_function, of_documents
+from .._call import command_function, run_on_documents
 from .._results import Result
 from .._types import File, Path
 
@@ -80,7 +80,7 @@ def compare(
     >>> len(percuss.compare(a, b)["pairs"]) > 0
     True
     """
-    return Result(of_documents("compare", "compare", documents, {
+    return Result(run_on_documents("compare", "compare", documents, {
         "furthest": furthest, "least_mac": least_mac, "title": title, "customer": customer,
         "operator": operator, "specimen": specimen, "note": note, "logo": logo, "paper": paper,
     }))

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal, Sequence
 
-from .._call import command_function, of_data
+from .._call import command_function, run_on_data
 from .._results import Deflection
 from .._types import Assignments, Band, Data, File, Numbers, Path, Quantities, Quantity, Range, Rate, Texts
 
@@ -234,7 +234,7 @@ def deflect(
     >>> seen.hits[0]["peak_m"] > 0
     True
     """
-    return Deflection(of_data("deflect", "deflect", data, {
+    return Deflection(run_on_data("deflect", "deflect", data, {
         "method": method, "highpass_corner": highpass_corner, "lowest": lowest, "free_body": free_body,
         "effective_mass": effective_mass, "positions": positions, "beam_distance": beam_distance,
         "beam_time": beam_time, "compare": compare, "beam": beam, "fs": fs, "df": df,

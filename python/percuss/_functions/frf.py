@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal, Sequence
 
-from .._call import command_function, of_data
+from .._call import command_function, run_on_data
 from .._tests import AveragedFrf
 from .._types import Band, Data, File, Numbers, Path, Quantities, Rate, Texts
 
@@ -206,7 +206,7 @@ def frf(
     >>> responses.H.shape == (1, 2, len(responses.frequency_hz))
     True
     """
-    return AveragedFrf(of_data("frf", "frf", data, {
+    return AveragedFrf(run_on_data("frf", "frf", data, {
         "fs": fs, "df": df, "force_channel": force_channel, "accel_channel": accel_channel, "unit": unit,
         "force_unit": force_unit, "force_scale": force_scale, "accel_scale": accel_scale,
         "force_sensitivity": force_sensitivity, "accel_sensitivity": accel_sensitivity,

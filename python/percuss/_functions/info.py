@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._call import command_function, of_documents
+from .._call import command_function, run_on_documents
 from .._results import Result
 from .._types import File, Numbers, Path, Quantities, Rate, Texts
 
@@ -106,7 +106,7 @@ def info(
     ...     percuss.info(os.path.join(folder, "bat.csv")).files[0]["kind"]
     'CSV'
     """
-    return Result(of_documents("info", "info", paths, {
+    return Result(run_on_documents("info", "info", paths, {
         "fs": fs, "df": df, "force_channel": force_channel, "accel_channel": accel_channel, "unit": unit,
         "force_unit": force_unit, "force_scale": force_scale, "accel_scale": accel_scale,
         "force_sensitivity": force_sensitivity, "accel_sensitivity": accel_sensitivity,

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._call import command_function, of_documents
+from .._call import command_function, run_on_documents
 from .._results import Result
 from .._types import File, Path
 
@@ -68,7 +68,7 @@ def abi(
     -----
     The keywords are the options of `percuss abi`; docs/theory/performance.md has the equations.
     """
-    return Result(of_documents("metrics.abi", "abi", (log,), {
+    return Result(run_on_documents("metrics.abi", "abi", (log,), {
         "limit": limit, "title": title, "customer": customer, "operator": operator, "specimen": specimen,
         "note": note, "logo": logo, "paper": paper,
     }))

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._call import command_function, of_documents
+from .._call import command_function, run_on_documents
 from .._results import Result
 from .._types import File, Path
 
@@ -74,7 +74,7 @@ def certify(
     -----
     The keywords are the options of `percuss certify`; docs/theory/performance.md has the equations.
     """
-    return Result(of_documents("metrics.certify", "certify", (session,), {
+    return Result(run_on_documents("metrics.certify", "certify", (session,), {
         "metric": metric, "limit": limit, "accept_plateau": accept_plateau, "title": title,
         "customer": customer, "operator": operator, "specimen": specimen, "note": note, "logo": logo,
         "paper": paper,

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._call import command_function, of_documents
+from .._call import command_function, run_on_documents
 from .._results import Result
 from .._types import Assignments, Numbers, Path
 
@@ -187,7 +187,7 @@ def performance(
     >>> round(percuss.metrics.performance(length_in=34, weight_oz=31).drop, 9)
     -3.0
     """
-    return Result(of_documents("metrics.performance", "metrics", table, {
+    return Result(run_on_documents("metrics.performance", "metrics", table, {
         "bat_id": bat_id, "bat": bat, "length_in": length_in, "weight_oz": weight_oz, "cg_in": cg_in,
         "period_s": period_s, "gate_times_s": gate_times_s, "crossings_per_period": crossings_per_period,
         "moi_oz_in2": moi_oz_in2, "ball_g": ball_g, "z_in": z_in, "v_in_mph": v_in_mph, "v_out_mph": v_out_mph,

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._call import command_function, of_documents
+from .._call import command_function, run_on_documents
 from .._results import Result
 from .._types import File, Path, Texts
 
@@ -84,7 +84,7 @@ def study(
     -----
     The keywords are the options of `percuss study`; docs/theory/theory.md has the equations.
     """
-    return Result(of_documents("metrics.study", "study", tables, {
+    return Result(run_on_documents("metrics.study", "study", tables, {
         "figures": figures, "program": program, "hoop_curve": hoop_curve, "blind": blind, "table": table,
         "title": title, "customer": customer, "operator": operator, "specimen": specimen, "note": note,
         "logo": logo, "paper": paper, "keep_formulas": keep_formulas,

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal, Sequence
 
-from .._call import command_function, of_documents
+from .._call import command_function, run_on_documents
 from .._results import Result
 from .._types import File, Numbers, Path, Quantity, Range
 
@@ -157,7 +157,7 @@ def bat(
 
     The keywords are the options of `percuss model bat`; docs/theory/theory.md has the equations.
     """
-    return Result(of_documents("models.bat", "model bat", (), {
+    return Result(run_on_documents("models.bat", "model bat", (), {
         "profile": profile, "profile_unit": profile_unit, "profile_kind": profile_kind, "density": density,
         "young": young, "shear": shear, "total_mass": total_mass, "add_mass": add_mass, "support": support,
         "support_at": support_at, "torsion": torsion, "ball_mass": ball_mass, "ball_speed": ball_speed,

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal, Sequence
 
-from .._call import command_function, of_documents
+from .._call import command_function, run_on_documents
 from .._results import Result
 from .._types import File, Numbers, Path, Quantity, Range
 
@@ -141,7 +141,7 @@ def beam(
     -----
     The keywords are the options of `percuss model beam`; docs/theory/theory.md has the equations.
     """
-    return Result(of_documents("models.beam", "model beam", (), {
+    return Result(run_on_documents("models.beam", "model beam", (), {
         "support": support, "ei": ei, "rho_a": rho_a, "torsion": torsion, "length": length, "layer": layer,
         "profile": profile, "profile_unit": profile_unit, "profile_kind": profile_kind, "density": density,
         "young": young, "shear": shear, "total_mass": total_mass, "add_mass": add_mass, "modes": modes,

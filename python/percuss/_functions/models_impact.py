@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._call import command_function, of_documents
+from .._call import command_function, run_on_documents
 from .._results import Result
 from .._types import Assignments, File, Numbers, Path, Quantity, Range
 
@@ -148,7 +148,7 @@ def impact(
     -----
     The keywords are the options of `percuss model impact`; docs/theory/theory.md has the equations.
     """
-    return Result(of_documents("models.impact", "model impact", (), {
+    return Result(run_on_documents("models.impact", "model impact", (), {
         "support": support, "ei": ei, "rho_a": rho_a, "torsion": torsion, "length": length, "layer": layer,
         "profile": profile, "profile_unit": profile_unit, "profile_kind": profile_kind, "density": density,
         "young": young, "shear": shear, "total_mass": total_mass, "add_mass": add_mass, "at": at,

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._call import command_function, of_documents
+from .._call import command_function, run_on_documents
 from .._results import Result
 from .._types import Path, Quantity, Range
 
@@ -91,7 +91,7 @@ def rigid(
     -----
     The keywords are the options of `percuss model rigid`; docs/theory/theory.md has the equations.
     """
-    return Result(of_documents("models.rigid", "model rigid", (), {
+    return Result(run_on_documents("models.rigid", "model rigid", (), {
         "ball_mass": ball_mass, "bat_mass": bat_mass, "inertia": inertia, "length": length, "at": at,
         "ball_speed": ball_speed, "swing_rate": swing_rate, "bat_speed": bat_speed, "pivot": pivot, "cor": cor,
         "title": title, "customer": customer, "operator": operator, "specimen": specimen, "note": note,

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._call import command_function, of_documents
+from .._call import command_function, run_on_documents
 from .._results import Result
 from .._types import Path, Quantity, Range
 
@@ -92,7 +92,7 @@ def shell(
     -----
     The keywords are the options of `percuss model shell`; docs/theory/theory.md has the equations.
     """
-    return Result(of_documents("models.shell", "model shell", (), {
+    return Result(run_on_documents("models.shell", "model shell", (), {
         "outer_diameter": outer_diameter, "wall": wall, "length": length, "young": young, "density": density,
         "poisson": poisson, "n": n, "modes": modes, "measured": measured, "fit": fit, "title": title,
         "customer": customer, "operator": operator, "specimen": specimen, "note": note, "logo": logo,

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal, Sequence
 
-from .._call import command_function, of_documents
+from .._call import command_function, run_on_documents
 from .._results import Result
 from .._types import Assignments, File, Numbers, Path, Quantity, Range
 
@@ -121,7 +121,7 @@ def trampoline(
     The keywords are the options of `percuss model trampoline`; docs/theory/theory.md has the
     equations.
     """
-    return Result(of_documents("models.trampoline", "model trampoline", (), {
+    return Result(run_on_documents("models.trampoline", "model trampoline", (), {
         "ball": ball, "speed": speed, "hoop": hoop, "extra_mass": extra_mass, "free_hoop": free_hoop,
         "loaded_hoop": loaded_hoop, "fit_ccor": fit_ccor, "hold": hold, "bats": bats, "m1": m1, "k1": k1,
         "c1": c1, "a": a, "b": b, "m2": m2, "c2": c2, "budget": budget, "title": title, "customer": customer,

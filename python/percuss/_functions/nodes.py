@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal, Sequence
 
-from .._call import command_function, of_data
+from .._call import command_function, run_on_data
 from .._results import Nodes
 from .._types import Band, Data, File, Numbers, Path, Quantities, Range, Rate, Texts
 
@@ -196,7 +196,7 @@ def nodes(
     -----
     The keywords are the options of `percuss nodes`; docs/theory/theory.md has the equations.
     """
-    return Nodes(of_data("nodes", "nodes", data, {
+    return Nodes(run_on_data("nodes", "nodes", data, {
         "positions": positions, "fs": fs, "df": df, "force_channel": force_channel,
         "accel_channel": accel_channel, "unit": unit, "force_unit": force_unit, "force_scale": force_scale,
         "accel_scale": accel_scale, "force_sensitivity": force_sensitivity,

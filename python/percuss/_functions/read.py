@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._call import command_function, of_files
+from .._call import command_function, read_files
 from .._types import File, Measured, Numbers, Paths, Quantities, Rate, Texts
 
 
@@ -96,7 +96,7 @@ def read(
     -----
     The keywords are the options under Reading of `percuss analyze`.
     """
-    return of_files("read", "read", paths, {
+    return read_files("read", "read", paths, {
         "fs": fs, "df": df, "force_channel": force_channel, "accel_channel": accel_channel, "unit": unit,
         "force_unit": force_unit, "force_scale": force_scale, "accel_scale": accel_scale,
         "force_sensitivity": force_sensitivity, "accel_sensitivity": accel_sensitivity,

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Literal, Sequence
 
-from .._call import command_function, of_data
+from .._call import command_function, run_on_data
 from .._surveys import Survey
 from .._types import Band, Data, File, Numbers, Path, Quantities, Range, Rate, Texts
 
@@ -228,7 +228,7 @@ def survey(
     >>> found.mac.shape == (len(found.frequency_hz),) * 2
     True
     """
-    return Survey(of_data("survey", "survey", data, {
+    return Survey(run_on_data("survey", "survey", data, {
         "fs": fs, "df": df, "force_channel": force_channel, "accel_channel": accel_channel, "unit": unit,
         "force_unit": force_unit, "force_scale": force_scale, "accel_scale": accel_scale,
         "force_sensitivity": force_sensitivity, "accel_sensitivity": accel_sensitivity,

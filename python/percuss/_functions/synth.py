@@ -1,7 +1,7 @@
 # Made by python/scripts/make_functions.py from the declarations of the command line. Do not edit.
 from __future__ import annotations
 
-from .._call import command_function, of_spec
+from .._call import command_function, synthesise_spec
 from .._results import Synthetic
 from .._types import File
 
@@ -60,6 +60,6 @@ def synth(
     >>> test["f_hz"][:3].tolist()
     [165.0, 568.0, 1177.0]
     """
-    return of_spec("synth", "synth", (spec,), {
+    return synthesise_spec("synth", "synth", (spec,), {
         "seed": seed, "threads": threads,
     })

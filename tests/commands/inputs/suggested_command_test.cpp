@@ -174,6 +174,12 @@ TEST_F(SuggestedCommand, IsOnlyItsOptionsWhereItWouldBeLong) {
                                        Not(HasSubstr("analyze"))));
 }
 
+TEST_F(SuggestedCommand, QuotesWhatAShellMayTakeForAPattern) {
+  test::write_columns(file("m^2.csv"), "", {record_.time_s, record_.force_N, record_.accel_mps2});
+  EXPECT_THAT(suggestion({"analyze", "m^2.csv"}),
+              HasSubstr("; the samples suggest: percuss analyze 'm^2.csv' --force"));
+}
+
 // info describes what analyze accepts, and lists the columns where one of them may be the force.
 TEST_F(SuggestedCommand, IsReplacedByTheColumnsInInfoWhereAForceMayBeMissed) {
   const std::vector<double> zeros(record_.time_s.size(), 0.0);

@@ -63,6 +63,10 @@ TEST(RecordTerminal, ObeysKeys) {
   EXPECT_TRUE(terminal.shows("goes on"));
   terminal.type("g9\n");
   EXPECT_TRUE(terminal.shows("there is no point 9"));
+  terminal.type("g1000000000\n");
+  EXPECT_TRUE(terminal.shows("there is no point 1000000000;")) << "the largest point number has ten digits";
+  terminal.type("g4294967296\n");
+  EXPECT_TRUE(terminal.shows("there is no point 4294967296;")) << "2^32 is not point 0";
   terminal.type("q");
   EXPECT_EQ(terminal.wait(), 0);
   EXPECT_TRUE(terminal.has_echo_and_lines());

@@ -142,7 +142,7 @@ void add_batch_plan(CommandLine& line) {
                "once, and percuss batch run reads it twice");
   add_batch_options(command, flags->options);
   add_setup_option(command, flags->options.read);
-  add_output_flags(command, flags->output, ".jsonl");
+  add_output_flags(command, flags->output, {".jsonl"});
 }
 
 }  // namespace percuss::tools

@@ -97,14 +97,13 @@ void add_batch_merge(CommandLine& line) {
       "Writes the rows of all shards to one file, a row per record and mode, as lines of JSON or as a table for "
       "percuss study. Writes FRFs to HDF5 if the plan keeps them. The bytes do not depend on the number of shards "
       "or threads, and are the same on all machines of one kind. Missing shards, and shards with other options or "
-      "another version of percuss, "
-      "are an error. The exit code is 6 if some records failed.");
+      "another version of percuss, are an error. The exit code is 6 if some records failed.");
   command.example(
       "percuss batch plan bat.h5 barrel.h5 -o manifest.jsonl; percuss batch run --manifest manifest.jsonl -o results; "
       "percuss batch merge --manifest manifest.jsonl results -o bats.jsonl -o bats.csv",
       "Turn records into a table");
   add_folder_and_manifest(command, *flags);
-  add_output_flags(command, flags->output, ".jsonl, .csv, .h5, .hdf5");
+  add_output_flags(command, flags->output, {".jsonl", ".csv", ".h5", ".hdf5"});
   add_formula_flag(command, flags->keep_formulas);
 }
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -14,6 +13,7 @@
 #include "batch/part_file.hpp"
 #include "batch/run_shard.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/hit_list.hpp"
 #include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
 #include "cli/output.hpp"
@@ -41,13 +41,6 @@ struct ShardSelection {
   std::optional<std::size_t> shard;   // none: all
   std::optional<std::size_t> shards;  // none: from the folder or the manifest
 };
-
-std::optional<std::size_t> whole_number(std::string_view text) {
-  std::size_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 ShardSelection parse_shard_selection(const std::string& text) {
   if (text == "all") return {};

@@ -1,10 +1,10 @@
 #include "commands/model/beam_flags.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "cli/option_error.hpp"
+#include "commands/model/colon_numbers.hpp"
 #include "core/error.hpp"
 #include "model/beam/laminate.hpp"
 #include "report/beam_report.hpp"
@@ -99,23 +99,17 @@ std::optional<model::BeamStructure> shaped_beam_of(const BeamFlags& flags) {
 std::vector<double> parse_colon_list(const OptionId& option, const std::string& text, std::size_t least,
                                      std::size_t most, const char* remedy, ColonZeros zeros) {
   const auto refuse = [&](const char* problem) { return OptionError::wrong_value(option, text, remedy, problem); };
-  std::vector<double> numbers;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (bool more = true; more;) {
-    double number = 0;
-    const auto [after, error] = std::from_chars(at, end, number);
-    if (error != std::errc{} || (after != end && *after != ':')) throw refuse("it is not numbers separated by colons");
-    const bool zero_allowed = zeros == ColonZeros::after_first && !numbers.empty();
-    if (!(number > 0 || (zero_allowed && number == 0)) || !std::isfinite(number))
+  const auto numbers = numbers_between_colons(text);
+  if (!numbers) throw refuse("it is not numbers separated by colons");
+  if (numbers->size() > most) throw refuse("it has too many numbers");
+  for (std::size_t i = 0; i < numbers->size(); ++i) {
+    const double number = (*numbers)[i];
+    const bool zero_allowed = zeros == ColonZeros::after_first && i > 0;
+    if (!(number > 0 || (zero_allowed && number == 0)))
       throw refuse(zero_allowed ? "a number is below zero" : "every number must be above zero");
-    numbers.push_back(number);
-    more = after != end;
-    at = after + (more ? 1 : 0);
-    if (numbers.size() > most) throw refuse("it has too many numbers");
   }
-  if (numbers.size() < least) throw refuse("it has too few numbers");
-  return numbers;
+  if (numbers->size() < least) throw refuse("it has too few numbers");
+  return *numbers;
 }
 
 void add_beam_flags(Command& command, BeamFlags& flags) {

@@ -8,11 +8,10 @@
 #include <string>
 
 #include "cli/option_error.hpp"
-#include "cli/option_units.hpp"
+#include "commands/model/colon_numbers.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/number_table.hpp"
-#include "core/io/parse_number.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -31,16 +30,8 @@ model::MeasuredCor checked(const std::vector<double>& values, const std::string&
 
 // The numbers of "26.8:0.519:0.004" or "60mph:0.519:0.004", the speed in m/s; none for another text.
 std::optional<std::vector<double>> triple_of(std::string_view text) {
-  std::vector<double> values;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find(':', from), text.size());
-    const std::string word(text.substr(from, to - from));
-    const ParsedNumber number = parse_number(values.empty() ? in_option_unit(word, "M/S") : word, false);
-    if (number.problem != NumberProblem::none) return std::nullopt;
-    values.push_back(number.value);
-    from = to + 1;
-  }
-  if (values.size() != 3) return std::nullopt;
+  auto values = numbers_between_colons(text, "M/S");
+  if (values && values->size() != 3) values.reset();
   return values;
 }
 

@@ -196,7 +196,7 @@ void add_model_bat(CommandLine& line) {
   add_frequency_fit_flags(command, flags->fit, {"young", "shear", "density", "torsion", "added-mass"},
                           "Set the numbers of the measured modes, 1 for the first bending mode (default: the lowest)");
   add_model_budget(command, flags->budget);
-  add_output_flags(command, flags->output, kReportKinds);
+  add_output_flags(command, flags->output, report_extensions());
 }
 
 }  // namespace percuss::tools

@@ -54,13 +54,10 @@ std::vector<model::BeamParameter> fitted_parameters(const ModelBeamFlags& flags)
   return fitted;
 }
 
-// Rejects parameters that frequencies do not determine.
+// Rejects parameters that frequencies do not determine. measured_modes() rejects a fit without parameters, and one with
+// more parameters than frequencies.
 void check_fit(const ModelBeamFlags& flags, model::BeamSupport support,
                const std::vector<model::BeamParameter>& fitted) {
-  if (fitted.empty()) {
-    throw OptionError({"measured"}, "is given, but no parameter to fit", "name parameters, such as ei,torsion",
-                      {"fit"});
-  }
   const bool spring = support == model::BeamSupport::torsion;
   if (!spring && std::find(fitted.begin(), fitted.end(), model::BeamParameter::torsion) != fitted.end()) {
     throw OptionError::wrong_value("fit", "torsion", "fit ei or rho-a",
@@ -71,10 +68,6 @@ void check_fit(const ModelBeamFlags& flags, model::BeamSupport support,
                       spring ? "has three parameters, but frequencies determine EI/ρA and T·L/EI only"
                              : "has two parameters, but without a spring frequencies determine EI/ρA only",
                       "omit one and give its value", {"ei", "rho_a", "torsion"});
-  }
-  if (flags.fit.measured_Hz.size() < fitted.size()) {
-    throw OptionError({"fit"}, "has more parameters than there are frequencies", "measure at least as many frequencies",
-                      {"measured"});
   }
 }
 
@@ -192,7 +185,7 @@ void add_model_beam(CommandLine& line) {
       .type("LOAD:LEVER:DEFLECTION");
   command.heading(previous);
   add_model_budget(command, flags->budget);
-  add_output_flags(command, flags->output, kReportKinds);
+  add_output_flags(command, flags->output, report_extensions());
 }
 
 }  // namespace percuss::tools

@@ -225,7 +225,7 @@ void add_model_impact(CommandLine& line) {
       .within(0, 1024)
       .type("N");
   add_model_budget(command, flags->budget);
-  add_output_flags(command, flags->output, kReportKinds);
+  add_output_flags(command, flags->output, report_extensions());
 }
 
 }  // namespace percuss::tools

@@ -78,7 +78,7 @@ void add_model_rigid(CommandLine& line) {
       .finite()
       .type("M");
   command.value("--cor", c.restitution, "Set the coefficient of restitution").within(0, 1).show_default();
-  add_output_flags(command, flags->output, kReportKinds);
+  add_output_flags(command, flags->output, report_extensions());
 }
 
 }  // namespace percuss::tools

@@ -3,9 +3,9 @@
 
 #include "cli/option_error.hpp"
 #include "cli/report_output.hpp"
+#include "commands/model/colon_numbers.hpp"
 #include "commands/model/model_commands.hpp"
 #include "core/error.hpp"
-#include "core/io/parse_number.hpp"
 #include "report/shell_report.hpp"
 
 namespace percuss::tools {
@@ -24,14 +24,7 @@ struct ShellFlags {
 
 model::MeasuredHoop measured_hoop(const std::string& text) {
   const auto refuse = [&] { return OptionError::wrong_value("measured", text, kHoopForm); };
-  std::vector<double> values;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find(':', from), text.size());
-    const ParsedNumber number = parse_number(text.substr(from, to - from), false);
-    if (number.problem != NumberProblem::none) throw refuse();
-    values.push_back(number.value);
-    from = to + 1;
-  }
+  const std::vector<double> values = numbers_between_colons(text).value_or(std::vector<double>());
   const auto is_count = [](double x, double least) { return x >= least && x <= kMaxPattern && x == std::floor(x); };
   if (values.size() != 4 || !is_count(values[0], 2) || !is_count(values[1], 1)) throw refuse();
   if (!(values[2] > 0 && values[3] > 0)) throw refuse();
@@ -102,7 +95,7 @@ void add_model_shell(CommandLine& line) {
   command.value("--fit", flags->unknowns, "Choose the parameters to fit to --measured")
       .one_of({"young", "wall", "both"})
       .show_default();
-  add_output_flags(command, flags->output, kReportKinds);
+  add_output_flags(command, flags->output, report_extensions());
 }
 
 }  // namespace percuss::tools

@@ -193,7 +193,7 @@ void add_model_trampoline(CommandLine& line) {
       .type("FILE");
   add_constants(command, *flags);
   add_model_budget(command, flags->budget);
-  add_output_flags(command, flags->output, kReportKinds);
+  add_output_flags(command, flags->output, report_extensions());
   add_formula_flag(command, flags->keep_formulas);
 }
 

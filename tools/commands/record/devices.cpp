@@ -92,9 +92,8 @@ void add_devices(CommandLine& line) {
   flags->host = command.host();
   command.about(
       "Lists sound cards and USB front ends with their channels and common sampling rates. A front end for IEPE "
-      "sensors "
-      "states its calibration itself. A device that cannot record at present is listed with the reason. The first "
-      "column is what percuss record --device takes. docs/guides/recording-devices.md describes other sources of "
+      "sensors states its calibration itself. A device that cannot record at present is listed with the reason. The "
+      "first column is what percuss record --device takes. docs/guides/recording-devices.md describes other sources of "
       "samples: simulated devices, files, pipes and plug-ins.");
   command.example("percuss devices", "List what can record");
   command.example("percuss devices --json", "Print a document with every rate and the calibration");

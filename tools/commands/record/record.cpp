@@ -35,13 +35,13 @@ void add_record(CommandLine& line) {
       });
   command.about(
       "Records blows of a hammer from a device, one row per blow, and says after each whether it counts, and otherwise "
-      "what to do. Goes from point to point of a geometry. Rejected blows stay in the file, marked. Every sample since "
-      "the first blow goes to a journal beside the file as it arrives; after a kill or a loss of power, --resume goes "
-      "on. Keys on a terminal: space pauses, u undoes the last accepted blow, r repeats the point, n goes to the next "
-      "point that lacks blows, g to a point by its number, q finishes and writes what is there. Without a terminal, it "
-      "runs until every point has its blows. Exit code 0: every point has its blows, the goal of --until is met, or q "
-      "was pressed; 4: no blow counts; 6: the device or a signal ended the session early; the file holds what was "
-      "recorded, and --resume goes on.");
+      "what to do. Goes from point to point of a geometry. Rejected blows stay in the file, marked. Every sample from "
+      "shortly before the first blow on goes to a journal beside the file as it arrives; after a kill or a loss of "
+      "power, --resume goes on. Keys on a terminal: space pauses, u undoes the last accepted blow, r repeats the "
+      "point, n goes to the next point that lacks blows, g to a point by its number, q finishes and writes what is "
+      "there. Without a terminal, it runs until every point has its blows. Exit code 0: every point has its blows, the "
+      "goal of --until is met, or q was pressed; 4: no blow counts; 6: the device or a signal ended the session early; "
+      "the file holds what was recorded, and --resume goes on.");
   command.example("percuss record -o test.h5 --device sim:aluminium-bat --fast",
                   "Try it with a simulated bat, faster than real time");
   command.example(
@@ -69,7 +69,7 @@ void add_record(CommandLine& line) {
   command.value("--fs", flags->fs_Hz, "Choose the sampling rate (default: the device's own)").type("HZ").above_zero();
   add_setup_option(command, flags->read);
   command.value("--trigger", flags->trigger_N, "Take a force above this level for a blow (default: from the noise)")
-      .type("N")
+      .type("NEWTON")
       .above_zero();
   command
       .value("--pretrigger", flags->pretrigger_s,

@@ -10,7 +10,7 @@
 #include "acquire/write_record.hpp"
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"
-#include "cli/provenance.hpp"
+#include "cli/shell_argument.hpp"
 #include "commands/record/record_resume.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"

@@ -8,7 +8,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/host.hpp"
 #include "cli/output.hpp"
-#include "cli/provenance.hpp"
+#include "cli/shell_argument.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
 #include "report/json/analysis_json.hpp"

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -58,7 +59,8 @@ std::string missing_point_text(std::size_t number, const std::vector<int>& point
 
 void press(const PressedKey& key, pipeline::Guide& guide, RecordScreen& screen) {
   const pipeline::Session& session = guide.session();
-  const auto number = static_cast<int>(key.number);
+  // Ten digits may exceed an int; no point has its largest value (acquire::kMaxPointNumber).
+  const auto number = static_cast<int>(std::min<std::size_t>(key.number, std::numeric_limits<int>::max()));
   switch (key.key) {
     case RecordKey::pause:
       guide.command(Kind::pause);

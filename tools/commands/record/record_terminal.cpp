@@ -26,6 +26,7 @@ constexpr std::size_t kMaxLines = 2000, kLine_bytes = 600;
 constexpr std::size_t kPiece_bytes = 512;  // a writable pipe takes so many bytes without waiting
 constexpr auto kPatience = std::chrono::seconds(2);
 constexpr int kPoll_ms = 100;
+constexpr std::size_t kMaxPointDigits = 10;  // of acquire::kMaxPointNumber
 constexpr const char* kErase = "\r\x1b[K";
 
 std::size_t columns_of(int terminal) {
@@ -164,7 +165,7 @@ void RecordTerminal::press(char key) {
   const std::lock_guard lock(mutex_);
   if (number_) {
     redraw_ = true;
-    if (key >= '0' && key <= '9' && number_->size() < 6) {
+    if (key >= '0' && key <= '9' && number_->size() < kMaxPointDigits) {
       *number_ += key;
     } else if ((key == 127 || key == '\b') && !number_->empty()) {
       number_->pop_back();
