@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "core/io/input_file.hpp"
 #include "core/units.hpp"
 #include "pipeline/warnings/ranking.hpp"
 #include "report/json/json_document.hpp"

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/io/input_file.hpp"
 #include "core/units.hpp"
 #include "report/json/response_json.hpp"
 #include "report/svg/response_spectra.hpp"
