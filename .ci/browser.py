@@ -17,7 +17,7 @@ from selenium import webdriver
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 
-from browser_fit import check_fit, check_paper
+from browser_fit import check_fit, check_paper_of_fit
 
 PERCUSS = os.environ["PERCUSS"]
 failures = 0
@@ -289,8 +289,8 @@ def main():
                 browser_shapes.check_shapes(driver, work / f"survey{kind}.html", load, emulate, check)
             check_animation(driver, work / "nodes.html", "bending")
             check_fit(driver, work / "bat-composite.html", check, load, survey=False)
-            check_paper(driver, work / "bat-composite.html", check, load)
-            check_paper(driver, work / "survey.html", check, load)
+            check_paper_of_fit(driver, work / "bat-composite.html", check, load)
+            check_paper_of_fit(driver, work / "survey.html", check, load)
             check_sizes(driver, work)
         finally:
             driver.quit()

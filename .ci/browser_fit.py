@@ -76,14 +76,14 @@ def check_fit(driver, path, check, load, survey):
         before = said(driver)
 
 
-def check_paper(driver, path, check, load):
+def check_paper_of_fit(driver, path, check, load):
     """On paper the plots fill the width, and nothing is wider than the paper."""
     load(driver, path)
     driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print", "features": []})
     driver.execute_script("window.dispatchEvent(new Event('beforeprint'))")
     widths = driver.execute_script("return plots.map((d) => d.plot.width)")
     check(widths and set(widths) == {680}, f"{path.stem}: paper: plots of {set(widths)} px fill 180 mm")
-    wide = driver.execute_script("document.body.style.width = '680px'; const w = document.documentElement.scrollWidth; return [...document.querySelectorAll('main *')].filter((e) => e.scrollWidth > 682 && e.clientWidth > 0).map((e) => e.tagName + ' ' + e.scrollWidth).slice(0, 3)")
+    wide = driver.execute_script("document.body.style.width = '680px'; return [...document.querySelectorAll('main *')].filter((e) => e.scrollWidth > 682 && e.clientWidth > 0).map((e) => e.tagName + ' ' + e.scrollWidth).slice(0, 3)")
     check(not wide, f"{path.stem}: paper: nothing is wider than the paper {wide}")
     driver.execute_script("window.dispatchEvent(new Event('afterprint'))")
     driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "", "features": []})

@@ -122,7 +122,7 @@ def check_choice(driver, path, load, check):
     check(len(canvases(driver)) == len(boxes), f"{path.stem}: all modes")
 
 
-def check_paper(driver, path, load, emulate, check):
+def check_paper_of_shapes(driver, path, load, emulate, check):
     """While a mode moves on a dark screen, paper shows its largest deflection in the colours of paper."""
     emulate(driver, prefers_reduced_motion="reduce", prefers_color_scheme="light")
     load(driver, path)
@@ -146,4 +146,4 @@ def check_shapes(driver, path, load, emulate, check):
     check_pointer(driver, path, load, check)
     check_keys(driver, path, load, check)
     check_choice(driver, path, load, check)
-    check_paper(driver, path, load, emulate, check)
+    check_paper_of_shapes(driver, path, load, emulate, check)

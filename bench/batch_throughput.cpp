@@ -169,7 +169,7 @@ double largest_memory_MB(const TemporaryFolder& folder, const std::string& manif
   int status = 0;
   rusage used{};
   ::wait4(child, &status, 0, &used);
-  return static_cast<double>(used.ru_maxrss) / 1024;
+  return static_cast<double>(used.ru_maxrss) * 1024 / 1e6;  // ru_maxrss is in KiB
 }
 
 void compare_memory(const TemporaryFolder& folder, std::size_t records) {

@@ -31,7 +31,7 @@ void fftw_baseline(benchmark::State& state) {
   }
 }
 
-void our_real_dft(benchmark::State& state) {
+void percuss_real_dft(benchmark::State& state) {
   const std::vector<double> x = decay(static_cast<std::size_t>(state.range(0)));
   std::vector<Complex> lines(x.size() / 2 + 1);
   for ([[maybe_unused]] auto _ : state) {
@@ -40,14 +40,14 @@ void our_real_dft(benchmark::State& state) {
   }
 }
 
-void our_real_dft_allocating(benchmark::State& state) {
+void percuss_real_dft_allocating(benchmark::State& state) {
   const std::vector<double> x = decay(static_cast<std::size_t>(state.range(0)));
   for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(real_dft(x));
 }
 
 BENCHMARK(fftw_baseline)->Arg(4096)->Arg(65536)->Arg(65537);
-BENCHMARK(our_real_dft)->Arg(4096)->Arg(65536)->Arg(65537);
-BENCHMARK(our_real_dft_allocating)->Arg(4096)->Arg(65536)->Arg(65537);
+BENCHMARK(percuss_real_dft)->Arg(4096)->Arg(65536)->Arg(65537);
+BENCHMARK(percuss_real_dft_allocating)->Arg(4096)->Arg(65536)->Arg(65537);
 
 }  // namespace
 }  // namespace percuss

@@ -17,7 +17,7 @@ int main(int argc, char** argv) try {
 
   // Findings explain why a hit is rejected; FRFs and modes use the accepted hits.
   for (const percuss::Hit& hit : analysis.hits()) {
-    std::printf("hit %zu: %5.0f N, %s\n", hit.index, hit.peak_force_N, hit.accepted ? "accepted" : "rejected");
+    std::printf("hit %zu: %5.0f N, %s\n", hit.index + 1, hit.peak_force_N, hit.accepted ? "accepted" : "rejected");
     for (const percuss::Finding& finding : hit.findings) std::printf("  %s\n", finding.message.c_str());
   }
   if (!analysis.possible()) return 1;

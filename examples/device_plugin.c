@@ -16,10 +16,10 @@ enum { LOST_FRAMES = 64, MAX_CHANNELS = 16 };
 struct percuss_device {
   percuss_device_format format;
   const char* units[MAX_CHANNELS];
-  uint64_t frame;    /* the next one */
-  uint64_t last;     /* the number of frames of the session */
-  uint64_t lose_at;  /* 0: nowhere */
-  uint32_t end_flag; /* of the last block */
+  uint64_t frame;       /* the next one */
+  uint64_t frame_count; /* of the session */
+  uint64_t lose_at;     /* 0: nowhere */
+  uint32_t end_flag;    /* of the last block */
 };
 
 static percuss_device* refuse(percuss_device* device, const char* why, char* error, size_t error_bytes) {
@@ -51,7 +51,7 @@ static percuss_device* open_device(const char* arguments, double fs_hz, char* er
   if (channels < 1 || channels > MAX_CHANNELS || !(seconds > 0 && seconds < 1e6))
     return refuse(device, "an argument is out of range", error, error_bytes);
   for (unsigned c = 0; c < channels; ++c) device->units[c] = c == 0 ? "V" : "";
-  device->last = (uint64_t)(seconds * rate);
+  device->frame_count = (uint64_t)(seconds * rate);
   device->format = (percuss_device_format){
       .size = sizeof device->format,
       .channels = channels,
@@ -88,7 +88,7 @@ static void generate(const percuss_device* device, float* frames, uint32_t count
 static void read_frames(percuss_device* device, void* frames, uint32_t capacity, uint32_t timeout_ms,
                         percuss_device_block* block) {
   (void)timeout_ms; /* its frames are always there */
-  uint64_t until = device->last;
+  uint64_t until = device->frame_count;
   if (device->lose_at > 0 && device->frame == device->lose_at) {
     device->frame += LOST_FRAMES;
     block->flags = PERCUSS_BLOCK_OVERRUN;
@@ -102,7 +102,7 @@ static void read_frames(percuss_device* device, void* frames, uint32_t capacity,
   block->first_frame = device->frame;
   block->frames = count;
   device->frame += count;
-  if (device->frame >= device->last) block->flags |= device->end_flag;
+  if (device->frame >= device->frame_count) block->flags |= device->end_flag;
 }
 
 static void stop(percuss_device* device) { (void)device; }

@@ -10,8 +10,10 @@
 
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <cstdio>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace {

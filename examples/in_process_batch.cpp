@@ -7,6 +7,7 @@
 #include <percuss/synth.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -37,7 +38,7 @@ int main(int argc, char** argv) {
       first_Hz.push_back(mode.freq_Hz);
     }
   }
-  if (first_Hz.size() < 2) return results.empty() || first_Hz.empty() ? 1 : 0;
+  if (first_Hz.size() < 2) return first_Hz.empty() ? 1 : 0;
   const auto count = static_cast<double>(first_Hz.size());
   double mean_Hz = 0, sum = 0;
   for (const double freq_Hz : first_Hz) mean_Hz += freq_Hz / count;

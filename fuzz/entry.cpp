@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
 
 #include "targets.hpp"
 
@@ -9,8 +12,13 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 static const percuss::fuzz::Target& target() {
   static const auto* const kTarget = [] {
     const auto all = percuss::fuzz::targets();
-    return &*std::find_if(all.begin(), all.end(),
-                          [](const auto& one) { return std::string_view(one.name) == PERCUSS_FUZZ_TARGET; });
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [](const auto& one) { return std::string_view(one.name) == PERCUSS_FUZZ_TARGET; });
+    if (found == all.end()) {
+      std::fputs("there is no fuzz target " PERCUSS_FUZZ_TARGET "\n", stderr);
+      std::abort();
+    }
+    return &*found;
   }();
   return *kTarget;
 }

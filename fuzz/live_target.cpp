@@ -77,8 +77,8 @@ void run_wav_header(std::string_view bytes) {
 void run_journal(std::string_view bytes) {
   const MemfdFile as_stored(bytes);
   accepted([&] { resume(as_stored.path()); });
-  const MemfdFile whole(with_checksums(std::string(bytes)));
-  accepted([&] { resume(whole.path()); });
+  const MemfdFile valid(with_checksums(std::string(bytes)));
+  accepted([&] { resume(valid.path()); });
 }
 
 }  // namespace percuss::fuzz

@@ -22,7 +22,7 @@ std::vector<synth::SynthPole> poles_of(const synth::Truth& truth) {
 }
 
 // Changes parameter p (f and ζ of each mode in turn) by `steps` difference steps, and returns the step.
-double move(std::vector<synth::SynthPole>& poles, Index p, double steps) {
+double move_parameter(std::vector<synth::SynthPole>& poles, Index p, double steps) {
   synth::SynthPole& pole = poles[static_cast<std::size_t>(p / 2)];
   double& value = p % 2 == 0 ? pole.freq_Hz : pole.damping_ratio;
   const double step = value * (p % 2 == 0 ? kFreqStep : kDampingStep);
@@ -55,8 +55,8 @@ MatrixXd columns_of(const synth::Truth& truth, std::size_t hit) {
   MatrixXd columns(samples, 3 * modes + 2);
   for (Index p = 0; p < 2 * modes; ++p) {
     std::vector<synth::SynthPole> up = poles, down = poles;
-    const double step = move(up, p, 1);
-    move(down, p, -1);
+    const double step = move_parameter(up, p, 1);
+    move_parameter(down, p, -1);
     const auto m = static_cast<std::size_t>(p / 2);
     columns.col(p) = (row_of_mode(truth, pulse, up[m]) - row_of_mode(truth, pulse, down[m])) / (2 * step);
   }
@@ -75,9 +75,10 @@ MatrixXd inverse_of(const MatrixXd& m) {
 
 // `m` after the elimination of its rows and columns from `kept` on: the Schur complement.
 MatrixXd eliminated(const MatrixXd& m, Index kept) {
-  const Index gone = m.rows() - kept;
-  return m.topLeftCorner(kept, kept) -
-         m.topRightCorner(kept, gone) * inverse_of(m.bottomRightCorner(gone, gone)) * m.bottomLeftCorner(gone, kept);
+  const Index removed = m.rows() - kept;
+  return m.topLeftCorner(kept, kept) - m.topRightCorner(kept, removed) *
+                                           inverse_of(m.bottomRightCorner(removed, removed)) *
+                                           m.bottomLeftCorner(removed, kept);
 }
 
 // The information of one channel on f, ζ and its own residues, from all rows.
@@ -102,8 +103,8 @@ VectorXd gradient(const synth::Truth& truth, std::size_t channel) {
   VectorXd g(3 * modes);
   for (Index p = 0; p < 2 * modes; ++p) {
     std::vector<synth::SynthPole> up = poles, down = poles;
-    const double step = move(up, p, 1);
-    move(down, p, -1);
+    const double step = move_parameter(up, p, 1);
+    move_parameter(down, p, -1);
     g[p] = (TrueDeflection(pulse, up).at_m(peak.time_s, residues) -
             TrueDeflection(pulse, down).at_m(peak.time_s, residues)) /
            (2 * step);

@@ -90,7 +90,7 @@ DeflectionTally deflection_tally(const pipeline::ImpactTest& test, const std::ve
     const double error = std::abs(hit.deflection.peak_m) - exact;
     tally.error += std::pow(error / exact, 2);
     tally.over_bound += std::pow(error / exact / bound[hit.channel], 2);
-    tally.covered += std::abs(error) <= 1.959964 * hit.deflection.peak_std_m ? 1 : 0;
+    tally.covered += std::abs(error) <= kInterval * hit.deflection.peak_std_m ? 1 : 0;
     ++tally.detected;
   }
   return tally;

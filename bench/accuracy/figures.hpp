@@ -4,6 +4,9 @@
 
 namespace percuss::accuracy {
 
+/// The half width, in standard deviations, of the interval that holds 95 % of a normal distribution.
+inline constexpr double kInterval = 1.959964;
+
 /// The error and the time of one method in one case.
 struct Figure {
   std::string method;

@@ -12,8 +12,6 @@
 namespace percuss::accuracy {
 namespace {
 
-constexpr double kInterval = 1.959964;  // standard deviations to either side for 95 % of a normal distribution
-
 struct ModeTally {
   double freq = 0, freq_bound = 0, damping = 0, damping_bound = 0;  // sums of squares
   double found = 0, sought = 0, spurious = 0, covered = 0;

@@ -17,7 +17,7 @@
 namespace percuss::accuracy {
 namespace {
 
-constexpr double kSteeper = 1.2;  // expected exponent of the growth, for the choice of the last size
+constexpr double kExpectedExponent = 1.2;  // of the time over the size, for the choice of the last size
 
 struct ScalingCase {
   std::string of, with;
@@ -116,15 +116,15 @@ Cost cost_of(const std::vector<std::string>& paths, const synth::SynthSpec& spec
 
 double wall_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-// Writes the files and adds a measured point to `scaling`. Sets `making_s` to the time of writing. Returns false when
+// Writes the files and adds a measured point to `scaling`. Sets `writing_s` to the time of writing. Returns false when
 // the analysis failed.
-bool measure_at(std::size_t n, const ScalingCase& question, const TimingOptions& timing, Scaling& scaling,
-                double& making_s) {
+bool measure_at(std::size_t n, const ScalingCase& scaling_case, const TimingOptions& timing, Scaling& scaling,
+                double& writing_s) {
   const double start_s = wall_s();
   const TemporaryFolder folder("percuss-accuracy");
-  const synth::SynthSpec spec = question.spec(n);
-  const auto paths = question.files ? many_files(spec, n, folder.path()) : one_file(spec, folder.path());
-  making_s = wall_s() - start_s;
+  const synth::SynthSpec spec = scaling_case.spec(n);
+  const auto paths = scaling_case.files ? many_files(spec, n, folder.path()) : one_file(spec, folder.path());
+  writing_s = wall_s() - start_s;
   const auto cost = forked<Cost>([&] { return cost_of(paths, spec, timing); });
   if (!cost) return false;
   scaling.points.push_back({.n = static_cast<double>(n),
@@ -147,19 +147,20 @@ void fit_exponents(Scaling& scaling) {
   scaling.memory_exponent = growth_exponent(x, bytes);
 }
 
-Scaling measured_growth(const ScalingCase& question, Extent extent, const TimingOptions& timing, double budget_s) {
-  Scaling scaling{.of = question.of, .with = question.with, .asked = question.sizes.back(), .points = {}};
+Scaling measured_growth(const ScalingCase& scaling_case, Extent extent, const TimingOptions& timing, double budget_s) {
+  Scaling scaling{.of = scaling_case.of, .with = scaling_case.with, .asked = scaling_case.sizes.back(), .points = {}};
   const double end_s = wall_s() + budget_s;
-  double making_s = 0;
-  for (const std::size_t n : question.sizes) {
+  double writing_s = 0;
+  for (const std::size_t n : scaling_case.sizes) {
     if (!scaling.points.empty()) {
       const ScalePoint& last = scaling.points.back();
       const double larger = static_cast<double>(n) / last.n;
-      const double next_s = making_s * (question.files ? 1 : larger) + last.seconds * std::pow(larger, kSteeper);
+      const double next_s =
+          writing_s * (scaling_case.files ? 1 : larger) + last.seconds * std::pow(larger, kExpectedExponent);
       if (wall_s() + next_s > end_s) break;
     }
     if (extent == Extent::quick && scaling.points.size() > 1) break;
-    if (!measure_at(n, question, timing, scaling, making_s)) break;
+    if (!measure_at(n, scaling_case, timing, scaling, writing_s)) break;
   }
   fit_exponents(scaling);
   return scaling;
@@ -188,8 +189,8 @@ std::vector<Scaling> study_scaling(Extent extent, const TimingOptions& timing, d
   const auto all = scaling_cases();
   std::vector<Scaling> scalings;
   scalings.reserve(all.size());
-  for (const ScalingCase& question : all)
-    scalings.push_back(measured_growth(question, extent, timing, budget_s / static_cast<double>(all.size())));
+  for (const ScalingCase& scaling_case : all)
+    scalings.push_back(measured_growth(scaling_case, extent, timing, budget_s / static_cast<double>(all.size())));
   return scalings;
 }
 

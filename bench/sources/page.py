@@ -70,9 +70,6 @@ class Section:
         with open(os.path.join(self.folder, name), encoding='utf-8') as file:
             return [{k: number_or_text(v) for k, v in row.items()} for row in csv.DictReader(file)]
 
-    def has(self, name):
-        return os.path.getsize(os.path.join(self.folder, name)) > 0
-
     def text(self):
         missing = sorted(set(places_in(self.expected)) - self.named)
         if missing:

@@ -70,8 +70,9 @@ struct ImpactSpeed {
 
 /// Copies share the results.
 /// Hits that Analysis rejects have a deflection too; hits without a pulse and hits in reject_hit have none.
-/// errors  InputError, of the constructor: options that contradict each other, samples that cannot be read, no force or
-///         no mode where the options need them, another number of positions than of points.
+/// errors  InputError, of the constructor: options that contradict each other, several runs (see Record::runs), samples
+///         that cannot be read, no force or no mode where the options need them, another number of positions than of
+///         points.
 class Deflections {
  public:
   explicit Deflections(const Record& record, const DeflectionOptions& options = {});

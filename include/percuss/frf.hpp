@@ -79,7 +79,7 @@ struct FrfOptions {
 };
 
 /// FRFs of the accepted hits of a record, averaged point by point.
-/// errors  InputError: no hit can be used; too few frequencies in the band.
+/// errors  InputError: no hit can be used; too few frequencies in the band; several runs (see Record::runs).
 FrfSet estimate_frfs(const Record& record, const FrfOptions& options = {});
 
 /// Opens a file of FRFs (text, HDF5, MAT, UFF). errors  InputError: not such a file.

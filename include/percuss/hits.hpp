@@ -9,7 +9,8 @@
 /// int main() {
 ///   const percuss::Record record = percuss::synthesise_preset("double-hit").record;
 ///   for (const percuss::Hit& hit : percuss::find_hits(record)) {
-///     std::cout << hit.index << ": " << hit.peak_force_N << " N" << (hit.accepted ? "" : ", rejected") << '\n';
+///     const char* const verdict = hit.accepted ? "accepted" : "rejected";
+///     std::cout << "hit " << hit.index + 1 << ": " << hit.peak_force_N << " N, " << verdict << '\n';
 ///     for (const percuss::Finding& finding : hit.findings) std::cout << "   " << finding.message << '\n';
 ///   }
 /// }
@@ -59,7 +60,8 @@ struct HitOptions {
 };
 
 /// Hits graded by their force; no acceleration is read. Analysis::hits() grades the responses too.
-/// errors  InputError: no such hit in accept_hit or reject_hit, an empty time range.
+/// errors  InputError: no such hit in accept_hit or reject_hit, an empty time range, a time below 0, several runs (see
+///         Record::runs).
 std::vector<Hit> find_hits(const Record& record, const HitOptions& options = {});
 
 }  // namespace percuss

@@ -45,12 +45,16 @@ struct GeometryPoint {
 
 struct Geometry {
   std::vector<GeometryPoint> points;
-  bool tube = false;          // position and angle are known for every point
-  bool unit_assumed = false;  // the file states no unit: its lengths are taken as m
+  bool tube = false;                        // position and angle are known for every point
+  bool unit_assumed = false;                // the file states no unit: its lengths are taken as m
+  std::size_t axis = 0;                     // of the tube: 0, 1, 2 for x, y, z; x without coordinates
+  std::vector<std::array<int, 2>> lines{};  // drawn between points, by number; empty: none stated
+  std::vector<std::vector<int>> faces{};    // drawn between three corners or more, in order around each, by number
 };
 
-/// Reads "point, x_m, y_m, z_m" or "point, position_m, angle_deg" from a text file. Points around an axis become a
-/// tube. Lengths without a unit are taken as m. errors  InputError: not such a file; lengths above 10 without a unit.
+/// Reads "point, x_m, y_m, z_m" or "point, position_m, angle_deg" from a text file, with the lines and faces that it
+/// states. Points around an axis become a tube. Lengths without a unit are taken as m.
+/// errors  InputError: not such a file; lengths above 10 without a unit.
 Geometry read_geometry(const std::string& path);
 
 /// The part that moves from point to point; the other one stays.
@@ -101,8 +105,9 @@ struct TubeShape {
 };
 
 /// Copies share the results. One thread at a time may call the accessors.
-/// errors  InputError, of the constructors: a point without a place in the geometry, a driving point that was not
-///         measured, several runs. Accessors as Analysis.
+/// errors  InputError, of the constructors: a point without a place in the geometry; a line or a face of the geometry
+///         with a point that it does not list, or with too few points; a tube with another axis than 0, 1 or 2; a
+///         driving point that was not measured; several runs. Accessors as Analysis.
 class Survey {
  public:
   explicit Survey(const Record& record, const SurveyOptions& options = {});

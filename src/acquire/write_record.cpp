@@ -11,6 +11,9 @@
 namespace percuss::acquire {
 namespace {
 
+// No format keeps Record::driving.
+constexpr const char* kDrivingPlaces = "which points were struck beside a sensor";
+
 [[noreturn]] void refuse_name(const std::string& path, const std::vector<std::string>& extensions) {
   throw InputError("cannot tell what to write", path,
                    fmt::format("name a file that ends in {}", fmt::join(extensions, ", ")));
@@ -44,6 +47,7 @@ std::vector<std::string> losses_of(const std::string& path, const Record& record
   if (format == nullptr) return {};
   auto losses = format->record_losses != nullptr ? format->record_losses(path, record) : std::vector<std::string>{};
   if (!record.trace_faces.empty() && !format->keeps_faces) losses.emplace_back("the faces between points");
+  if (!record.driving.empty()) losses.emplace_back(kDrivingPlaces);
   const bool marked =
       std::any_of(record.rows.begin(), record.rows.end(), [](const RowInfo& row) { return row.mark != RowMark::none; });
   if (!format->keeps_marks && marked) losses.emplace_back("which blows were rejected while they were recorded");
@@ -56,6 +60,7 @@ std::vector<std::string> losses_of(const std::string& path, const FrfRecord& rec
   if (format == nullptr) return {};
   auto losses = format->frf_losses != nullptr ? format->frf_losses(record) : std::vector<std::string>{};
   if (has_own_names(record.accel)) losses.emplace_back("the channels' names");
+  if (!record.driving.empty()) losses.emplace_back(kDrivingPlaces);
   if (format->keeps_frf_geometry) return losses;
   if (!record.geometry.empty()) losses.emplace_back("the geometry");
   if (!record.trace_lines.empty()) losses.emplace_back("the lines between points");

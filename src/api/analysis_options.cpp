@@ -28,11 +28,18 @@ void require_band(const Band& band) {
   }
 }
 
+void require_not_negative(double value, const char* field, std::vector<OptionId> options) {
+  if (!(value >= 0 && std::isfinite(value)))
+    throw InputError("the value is below 0, or not a finite number", field, "give 0 or more", std::move(options));
+}
+
 void require_consistent(const AnalysisOptions& options) {
   constexpr double kMinFraction = 1e-12;
   if (options.band_Hz) require_band(*options.band_Hz);
   const HitOptions& hits = options.hits;
-  if (hits.to_s && *hits.to_s <= hits.from_s) {
+  require_not_negative(hits.from_s, "HitOptions::from_s", {"from"});
+  require_not_negative(hits.pretrigger_s.value_or(0), "HitOptions::pretrigger_s", {"pretrigger"});
+  if (hits.to_s && !(*hits.to_s > hits.from_s)) {
     throw InputError("the end of the time range is not after its start", kOptions,
                      "give seconds from each row's beginning", {"from", "to"});
   }

@@ -38,7 +38,7 @@ pipeline::ImpactTestOptions impact_options(const DeflectionOptions& options) {
 
 std::shared_ptr<const DeflectionData> deflection_data(const Record& record, const DeflectionOptions& options) {
   const std::shared_ptr<const AnalysisData> analysis(
-      new AnalysisData{pipeline::Analysis(record.data().record, analysis_options(options.analysis))});
+      new AnalysisData{pipeline::Analysis(record_of_one_run(record), analysis_options(options.analysis))});
   pipeline::ImpactTest test = pipeline::deflect(analysis->analysis, impact_options(options));
   return std::make_shared<const DeflectionData>(DeflectionData{analysis, std::move(test)});
 }

@@ -91,11 +91,12 @@ std::vector<Channel> FrfSet::channels() const {
 FrfSet FrfSet::converted(FrfKind kind) const { return api::make_frf_set(data_->record, kind); }
 
 FrfSet estimate_frfs(const Record& record, const FrfOptions& options) {
-  const pipeline::Analysis analysis(record.data().record, api::analysis_options({.band_Hz = options.band_Hz,
-                                                                                 .estimator = options.estimator,
-                                                                                 .hits = options.hits,
-                                                                                 .exponential = options.exponential,
-                                                                                 .threads = options.threads}));
+  const pipeline::Analysis analysis(api::record_of_one_run(record),
+                                    api::analysis_options({.band_Hz = options.band_Hz,
+                                                           .estimator = options.estimator,
+                                                           .hits = options.hits,
+                                                           .exponential = options.exponential,
+                                                           .threads = options.threads}));
   return api::make_frf_set(report::frf_record_of(analysis), FrfKind::accelerance);
 }
 

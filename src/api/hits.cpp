@@ -38,7 +38,7 @@ std::vector<Hit> hits_of(const std::vector<pipeline::AnalysedHit>& hits) {
 }  // namespace api
 
 std::vector<Hit> find_hits(const Record& record, const HitOptions& options) {
-  const pipeline::Analysis analysis(record.data().record, api::analysis_options({.hits = options}));
+  const pipeline::Analysis analysis(api::record_of_one_run(record), api::analysis_options({.hits = options}));
   return api::hits_of(analysis.force_hits());
 }
 

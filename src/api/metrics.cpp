@@ -8,6 +8,11 @@ namespace percuss {
 namespace api {
 namespace {
 
+Severity public_severity(metrics::MetricsSeverity severity) {
+  if (severity == metrics::MetricsSeverity::reject) return Severity::reject;
+  return severity == metrics::MetricsSeverity::warn ? Severity::warn : Severity::info;
+}
+
 std::optional<metrics::UncertainValue> reading(const std::optional<Measured>& value, metrics::Reading which) {
   return value ? std::optional(metrics::UncertainValue(value->value, value->std, which)) : std::nullopt;
 }
@@ -22,8 +27,8 @@ std::optional<Measured> measured(const std::optional<metrics::UncertainValue>& v
   return value ? std::optional(Measured{value->value(), value->std()}) : std::nullopt;
 }
 
-void require_behind_tip(const std::optional<Measured>& place_m, const std::optional<Measured>& length_m,
-                        const char* field) {
+void require_between_tip_and_pivot(const std::optional<Measured>& place_m, const std::optional<Measured>& length_m,
+                                   const char* field) {
   if (place_m && (place_m->value < 0 || (length_m && place_m->value > length_m->value - metrics::kPivot_m)))
     throw InputError("the place is not between the tip and the pivot", field, "give metres from the barrel's tip");
 }
@@ -53,8 +58,8 @@ metrics::BatReadings internal_readings(const BatReadings& r) {
 BatPerformance bat_performance(const BatReadings& readings) {
   if (readings.length_m && !(readings.length_m->value > 2 * metrics::kPivot_m))
     throw InputError("the bat is too short", "BatReadings::length_m", "give more than 0.3048 m");
-  api::require_behind_tip(readings.cg_m, readings.length_m, "BatReadings::cg_m");
-  api::require_behind_tip(readings.z_m, readings.length_m, "BatReadings::z_m");
+  api::require_between_tip_and_pivot(readings.cg_m, readings.length_m, "BatReadings::cg_m");
+  api::require_between_tip_and_pivot(readings.z_m, readings.length_m, "BatReadings::z_m");
   const metrics::BatReadings internal = api::internal_readings(readings);
   const metrics::BatMetrics results = metrics::bat_metrics(internal);
   BatPerformance out{.drop = api::measured(results.drop),
@@ -71,9 +76,7 @@ BatPerformance bat_performance(const BatReadings& readings) {
                             .message = warning.message,
                             .options = warning.options,
                             .remedy = warning.remedy,
-                            .severity = warning.severity == metrics::MetricsSeverity::reject ? Severity::reject
-                                        : warning.severity == metrics::MetricsSeverity::warn ? Severity::warn
-                                                                                             : Severity::info});
+                            .severity = api::public_severity(warning.severity)});
   }
   return out;
 }

@@ -1,9 +1,12 @@
 #include "percuss/survey.hpp"
 
+#include <set>
+#include <span>
 #include <utility>
 
 #include "acquire/geometry/geometry.hpp"
 #include "api/handles.hpp"
+#include "core/error.hpp"
 #include "report/json/survey_json.hpp"
 #include "report/text/survey_text.hpp"
 
@@ -11,8 +14,35 @@ namespace percuss {
 namespace api {
 namespace {
 
+constexpr const char* kGeometry = "Geometry";
+
+void require_valid(const Geometry& geometry) {
+  std::set<int> listed;
+  for (const GeometryPoint& p : geometry.points) listed.insert(p.point);
+  const auto require_listed = [&](std::span<const int> points) {
+    for (const int point : points) {
+      if (listed.contains(point)) continue;
+      throw InputError("point " + std::to_string(point) + " is connected, but not listed", kGeometry,
+                       "list the point with its coordinates", {"geometry"});
+    }
+  };
+  for (const std::array<int, 2>& line : geometry.lines) require_listed(line);
+  for (const std::vector<int>& face : geometry.faces) {
+    if (face.size() < 3)
+      throw InputError("a face with fewer than three corners", kGeometry, "give three or more", {"geometry"});
+    require_listed(face);
+  }
+  if (geometry.axis > 2) throw InputError("no such axis", kGeometry, "give 0, 1 or 2 for x, y or z", {"geometry"});
+}
+
 acquire::Geometry internal_geometry(const Geometry& geometry) {
-  acquire::Geometry out{.points = {}, .tube = geometry.tube, .unit_assumed = geometry.unit_assumed};
+  require_valid(geometry);
+  acquire::Geometry out{.points = {},
+                        .tube = geometry.tube,
+                        .axis = geometry.axis,
+                        .lines = geometry.lines,
+                        .faces = geometry.faces,
+                        .unit_assumed = geometry.unit_assumed};
   for (const GeometryPoint& p : geometry.points) {
     out.points.push_back({.point = p.point,
                           .xyz_m = p.xyz_m,
@@ -24,7 +54,12 @@ acquire::Geometry internal_geometry(const Geometry& geometry) {
 }
 
 Geometry public_geometry(const acquire::Geometry& geometry) {
-  Geometry out{.points = {}, .tube = geometry.tube, .unit_assumed = geometry.unit_assumed};
+  Geometry out{.points = {},
+               .tube = geometry.tube,
+               .unit_assumed = geometry.unit_assumed,
+               .axis = geometry.axis,
+               .lines = geometry.lines,
+               .faces = geometry.faces};
   for (const acquire::GeometryPoint& p : geometry.points) {
     out.points.push_back({.point = p.point,
                           .xyz_m = p.xyz_m,

@@ -4,9 +4,11 @@
 #include <glob.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <new>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -52,9 +54,13 @@ class CollectedFiles {
   void add_pattern(const std::string& pattern) {
     glob_t matches{};
     const std::unique_ptr<glob_t, decltype(&::globfree)> owner(&matches, &::globfree);
-    if (::glob(pattern.c_str(), GLOB_ERR, nullptr, &matches) != 0) {
-      throw InputError("no file matches the pattern", pattern, "check the path");
-    }
+    // A folder that does not exist has no match; one that cannot be read ends the search.
+    const auto ends_search = [](const char*, int error) { return error == ENOENT || error == ENOTDIR ? 0 : 1; };
+    const int outcome = ::glob(pattern.c_str(), 0, ends_search, &matches);
+    if (outcome == GLOB_NOSPACE) throw std::bad_alloc();
+    if (outcome == GLOB_ABORTED)
+      throw InputError("a folder of the pattern cannot be read", pattern, "check its permissions");
+    if (outcome != 0) throw InputError("no file matches the pattern", pattern, "check the path");
     std::vector<std::string> found(matches.gl_pathv, matches.gl_pathv + matches.gl_pathc);
     std::sort(found.begin(), found.end(), comes_first_naturally);
     for (const std::string& path : found) add_named(path);

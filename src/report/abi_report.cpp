@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/json/json_document.hpp"
+#include "report/json/or_null.hpp"
 #include "report/svg/line_chart.hpp"
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
@@ -15,8 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const char* metric_of(const metrics::AbiLog& log) { return log.bbcor ? "bbcor" : "besr"; }
-
-Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 const char* action_of(const metrics::AbiRun& run) {
   switch (run.next) {
@@ -42,11 +41,11 @@ std::string abi_json(const metrics::AbiLog& log, const metrics::AbiRun& run) {
             {"version", version()},
             {"bat", log.bat},
             {"material", log.material.empty() ? Json() : Json(log.material)},
-            {"length_in", number_or_null(log.length_in)},
-            {"moi_oz_in2", number_or_null(log.moi_ozin2)},
+            {"length_in", or_null(log.length_in)},
+            {"moi_oz_in2", or_null(log.moi_ozin2)},
             {"displacement_in", run.displacement_in},
             {"metric", metric_of(log)},
-            {"limit", number_or_null(log.limit)},
+            {"limit", or_null(log.limit)},
             {"verdict", name_of(run.verdict)},
             {"why", run.why},
             {"next",
@@ -64,14 +63,14 @@ std::string abi_json(const metrics::AbiLog& log, const metrics::AbiRun& run) {
                                     {"cycle", c.cycle},
                                     {"roll", c.roll},
                                     {"force_lbf", c.mean_lbf},
-                                    {"reduction", number_or_null(c.reduction)}});
+                                    {"reduction", or_null(c.reduction)}});
   }
   for (const metrics::AbiCycle& c : run.cycles) {
     json["cycles"].push_back({{"cycle", c.cycle},
                               {"value", c.value},
                               {"best", c.best},
-                              {"hoop_hz", number_or_null(c.hoop_Hz)},
-                              {"z_in", number_or_null(c.z_in)},
+                              {"hoop_hz", or_null(c.hoop_Hz)},
+                              {"z_in", or_null(c.z_in)},
                               {"id", c.id}});
   }
   for (const metrics::ProtocolFinding& r : run.remarks)

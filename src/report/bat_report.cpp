@@ -9,6 +9,7 @@
 
 #include "core/units.hpp"
 #include "report/bat_curve.hpp"
+#include "report/json/json_document.hpp"
 #include "report/text/version.hpp"
 
 namespace percuss::report {
@@ -159,7 +160,7 @@ CommandReport bat_report(const model::BatModes& bat, const model::BeamStructure&
   add_structure_text(structure, origin, freq_Hz, "the knob", report.text);
   report.text += modes_text(bat) + curve_text(bat, curve) + "\n";
   report.text += participation_table(curve, bat.freq_Hz.size());
-  report.json = json.dump(2) + "\n";
+  report.json = indented_text(json) + "\n";
   return report;
 }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "report/json/json_document.hpp"
+#include "report/json/or_null.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
@@ -30,11 +32,6 @@ ParameterName name_of(model::BeamParameter which) {
     default:
       return {"rho_a_kgpm", "ρA", "kg/m"};
   }
-}
-
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json();
 }
 
 Json beam_json(const model::UniformBeam& beam) {
@@ -153,7 +150,7 @@ CommandReport beam_report(const model::UniformBeam& beam, const std::vector<mode
   }
   json["fit"] = fit_json(origin);
   CommandReport report;
-  report.json = json.dump(2) + "\n";
+  report.json = indented_text(json) + "\n";
   report.text = heading(beam) + fit_text(origin);
   report.text += mode_table(modes);
   NumericColumn x{.name = "x_m"};

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "report/json/json_document.hpp"
+#include "report/json/or_null.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
@@ -14,8 +15,6 @@ namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 const char* state_name(metrics::SearchState state) {
   switch (state) {

@@ -8,14 +8,14 @@
 
 #include "core/units.hpp"
 #include "report/impact_sweep_report.hpp"
+#include "report/json/json_document.hpp"
+#include "report/json/or_null.hpp"
 #include "report/text/version.hpp"
 
 namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 // Members of the document for one impact, and for each impact of a sweep.
 void add_result(Json& json, const model::ImpactResult& r) {
@@ -30,18 +30,18 @@ void add_result(Json& json, const model::ImpactResult& r) {
   json["forward_deflection_time_s"] = unless_flying(r.forward_deflection_time_s);
   json["flies_off"] = r.flies_off;
   json["recontact"] = r.recontact_s.has_value();
-  json["recontact_time_s"] = optional_json(r.recontact_s);
+  json["recontact_time_s"] = or_null(r.recontact_s);
   json["contacts"] = r.contacts;
   json["last_separation_s"] = r.last_separation_s;
-  json["final_cor"] = optional_json(r.final_cor);
+  json["final_cor"] = or_null(r.final_cor);
   json["energy_error"] = r.energy_error;
 }
 
 Json document(double speed_mps, const model::ImpactResult& result, const std::vector<ImpactSweep>& sweeps) {
   Json json{{"schema", "percuss/model-impact/1"}, {"version", version()}};
   add_result(json, result);
-  json["cor_uncertainty"] = optional_json(result.cor_uncertainty);
-  json["final_cor_uncertainty"] = optional_json(result.final_cor_uncertainty);
+  json["cor_uncertainty"] = or_null(result.cor_uncertainty);
+  json["final_cor_uncertainty"] = or_null(result.final_cor_uncertainty);
   json["final_ball_speed_mps"] = result.final_cor ? Json(-*result.final_cor * speed_mps) : Json();
   json["lost_j"] = result.lost_J;
   json["steps"] = result.steps;
@@ -120,7 +120,7 @@ CommandReport impact_report(const model::Impact& impact, const model::ImpactResu
     add_structure_json(*shaped, origin, elastic_Hz, json);
     add_structure_text(*shaped, origin, elastic_Hz, "x = 0", report.text);
   }
-  report.json = json.dump(2) + "\n";
+  report.json = indented_text(json) + "\n";
   report.text += result_text(impact, result);
   for (const ImpactSweep& sweep : sweeps) {
     report.text += "\n";

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/json/json_document.hpp"
+#include "report/json/or_null.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/numeric_csv.hpp"
 #include "report/text/text_table.hpp"
@@ -48,7 +49,7 @@ Json profile_json(const BatProfileReadings& p, const metrics::BatMetrics& m) {
             {"handle_diameter_in", recorded_or_null(p.handle_diameter_in, p.steps.diameter_in)},
             {"ball_g", recorded_or_null(p.ball_g, p.steps.ball_g)},
             {"rings", Json::array()},
-            {"drop_class", m.drop_class ? Json(*m.drop_class) : Json()}};
+            {"drop_class", or_null(m.drop_class)}};
   for (std::size_t i = 0; i < p.diameters_in.size(); ++i)
     json["rings"].push_back(
         {{"z_in", 3 + i}, {"diameter_in", metrics::recorded(p.diameters_in[i], p.steps.diameter_in)}});

@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "core/io/input_file.hpp"
 #include "core/units.hpp"
 #include "pipeline/warnings/ranking.hpp"
 #include "report/json/json_document.hpp"
+#include "report/json/or_null.hpp"
 #include "report/json/warning_json.hpp"
 #include "report/text/analysis_tables.hpp"
 #include "report/text/number_format.hpp"
@@ -46,7 +46,7 @@ Json mode_json(const pipeline::Analysis& analysis, const pipeline::ModeAlongScan
                              {"degree", node.degree},
                              {"points", node.points}});
   }
-  json["minimum_m"] = along.minimum_m ? Json(*along.minimum_m) : Json();
+  json["minimum_m"] = or_null(along.minimum_m);
   json["minimum_in"] = along.minimum_m ? Json(*along.minimum_m / kInch_m) : Json();
   json["shape"] = Json::array();
   for (std::size_t i = 0; i < along.shape.position_m.size(); ++i) {
@@ -70,9 +70,7 @@ double end_m(const pipeline::ScanPositions& positions) {
 }
 
 std::string heading(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
-  const acquire::Record& record = analysis.record();
-  std::string name = one_line(input_name(record.source()), 400);
-  if (record.files.size() > 1) name += fmt::format(" and {} more", record.files.size() - 1);
+  const std::string name = source_name(analysis.record());
   const pipeline::ScanPositions& p = scan.positions;
   const std::string apart = p.listed_m.empty() ? fmt::format(", {:.4g} in apart", p.step_m / kInch_m) : "";
   return fmt::format("{}   {} positions, {:.5g} to {:.5g} in from the barrel's end{}\n", name, p.count,

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/io/input_file.hpp"
 #include "core/units.hpp"
 #include "report/json/response_json.hpp"
 #include "report/svg/response_spectra.hpp"
@@ -27,11 +26,10 @@ constexpr auto kRight = TextTable::Align::right;
 
 std::string heading(const pipeline::ResponseTest& test) {
   const acquire::Record& record = test.record;
-  std::string name = one_line(input_name(record.source()), 400);
-  if (record.files.size() > 1) name = fmt::format("{} and {} more", name, record.files.size() - 1);
-  std::string text = fmt::format(
-      "{}\n  {} · responses only · {} impact{} × {} channel{}", name, rounded_frequency_text(record.fs_Hz),
-      test.hits.size(), test.hits.size() == 1 ? "" : "s", record.accel.size(), record.accel.size() == 1 ? "" : "s");
+  std::string text =
+      fmt::format("{}\n  {} · responses only · {} impact{} × {} channel{}", source_name(record),
+                  rounded_frequency_text(record.fs_Hz), test.hits.size(), test.hits.size() == 1 ? "" : "s",
+                  record.accel.size(), record.accel.size() == 1 ? "" : "s");
   if (test.possible()) {
     text += fmt::format(" · band {}–{} Hz\n  free decay from {:.3g} ms after the impact on, {:.4g} s long",
                         hertz_text(test.band_Hz.first), hertz_text(test.band_Hz.second), 1e3 * test.start_s,

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "report/json/json_document.hpp"
 #include "report/text/version.hpp"
 
 namespace percuss::report {
@@ -27,7 +28,7 @@ CommandReport rigid_report(const model::RigidCollision& collision, const std::ve
   const double near_m = 0.05;
   const auto loss = [&](double z) { return best.exit_speed_mps - model::exit_speed_mps(collision, z); };
   CommandReport report;
-  report.json = json.dump(2) + "\n";
+  report.json = indented_text(json) + "\n";
   report.text = fmt::format(
       "rigid bat: the ball leaves fastest, with {:.2f} m/s, {:.1f} mm from the centre of mass (positive towards the "
       "barrel)\n5 cm closer to the handle the ball is {:.2f} m/s slower, 5 cm closer to the tip {:.2f} m/s\n",

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/beam_report.hpp"
+#include "report/json/json_document.hpp"
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
 
@@ -103,7 +104,7 @@ CommandReport shaped_beam_report(const model::BeamStructure& beam, const model::
     report.columns.push_back({fmt::format("mode_{}", i), all[i].shape});
   }
   add_structure_json(beam, origin, freq_Hz, json);
-  report.json = json.dump(2) + "\n";
+  report.json = indented_text(json) + "\n";
   report.text = fmt::format("beam: {:.6g} kg, length {:.6g} m, centre of mass {:.1f} mm from x = 0{}\n",
                             elastic.inertia.mass_kg, beam.length_m(), 1000 * elastic.inertia.cm_m,
                             beam.slender ? "" : "; with rotary inertia and shear (Timoshenko)");

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "report/json/json_document.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/version.hpp"
 
@@ -55,7 +56,7 @@ CommandReport shell_report(const model::TubeShell& shell, std::size_t n, std::si
             {"mass_kg", model::tube_mass_kg(shell)}};
   if (fitted) json["fit"] = fitted_json(*fitted);
   CommandReport report;
-  report.json = json.dump(2) + "\n";
+  report.json = indented_text(json) + "\n";
   report.text = fmt::format("hoop modes with {} waves around: ring {:.1f} Hz, Rayleigh {:.1f} Hz, Love {:.1f} Hz\n", n,
                             model::ring_Hz(shell, n), model::rayleigh_Hz(shell, n), model::love_Hz(shell, n));
   for (std::size_t m = 1; m <= modes; ++m)

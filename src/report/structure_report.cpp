@@ -8,6 +8,7 @@
 
 #include "model/section/profile_warnings.hpp"
 #include "report/beam_report.hpp"
+#include "report/json/or_null.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
 
@@ -41,8 +42,7 @@ Json structure_fit_json(const StructureOrigin& origin) {
   if (!origin.fit) return {};
   Json parameters = Json::array(), frequencies = Json::array();
   for (const model::FittedStructureParameter& one : origin.fit->parameters) {
-    parameters.push_back(
-        {{"name", name_of(one.which).key}, {"value", one.value}, {"std", one.std ? Json(*one.std) : Json()}});
+    parameters.push_back({{"name", name_of(one.which).key}, {"value", one.value}, {"std", or_null(one.std)}});
   }
   for (std::size_t i = 0; i < origin.measured.size(); ++i) {
     const model::MeasuredMode& one = origin.measured[i];

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "model/trampoline/trampoline_warnings.hpp"
+#include "report/json/json_document.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/version.hpp"
 #include "report/trampoline_bats_report.hpp"
@@ -159,7 +160,7 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
     add_bats_rows(curve_columns(model, bats_Hz, beside.rebounds, wall, reference), beside, report);
   }
   add_warnings(model::trampoline_warnings(model, peak, fitted), json, report.text);
-  report.json = json.dump(2) + "\n";
+  report.json = indented_text(json) + "\n";
   report.charts = {
       {.title = "Ball and hollow barrel",
        .x = {.label = "hoop frequency, Hz"},

@@ -17,6 +17,7 @@
 
 namespace percuss::acquire::format_registry_test {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -153,10 +154,27 @@ TEST_F(FormatRegistry, ReportsTheGeometryThatFilesOfFrfsLose) {
   frfs.trace_lines = {{0, 1}};
   EXPECT_THAT(losses_of("f.unv", frfs), IsEmpty());
   EXPECT_THAT(losses_of("f.h5", frfs), ElementsAre("the geometry", "the lines between points"));
+  frfs.geometry.push_back({0, 1, 0});
   frfs.trace_faces = {{0, 1, 2}};
   EXPECT_THAT(losses_of("f.unv", frfs), IsEmpty());
   EXPECT_THAT(losses_of("f.h5", frfs),
               ElementsAre("the geometry", "the lines between points", "the faces between points"));
+  frfs.geometry = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.5, 2, 0}, {0, 1, 0}};
+  frfs.trace_faces = {{0, 1, 2, 3, 4}};
+  EXPECT_THAT(losses_of("f.unv", frfs), ElementsAre("the faces between points"));
+  frfs.geometry = {{0.1, 90}, {0.2, 90}, {0.3, 90}, {0.4, 90}, {0.5, 90}};
+  EXPECT_THAT(losses_of("f.unv", frfs), ElementsAre("the geometry (positions and angles instead of coordinates)",
+                                                    "the lines between points", "the faces between points"));
+}
+
+TEST_F(FormatRegistry, ReportsDrivingPlaces) {
+  Record record = small_record();
+  FrfRecord frfs = small_frfs();
+  record.driving = frfs.driving = {{.point = 0, .channel = 0}};
+  for (const char* path : {"f.uff", "f.h5"}) {
+    EXPECT_THAT(losses_of(path, record), Contains("which points were struck beside a sensor")) << path;
+    EXPECT_THAT(losses_of(path, frfs), Contains("which points were struck beside a sensor")) << path;
+  }
 }
 
 // "| HDF5 | .h5 .hdf5 .hdf | .h5 .hdf5 | read, written | yes |"

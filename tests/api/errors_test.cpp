@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -11,6 +12,7 @@
 
 #include "percuss/analysis.hpp"
 #include "percuss/batch.hpp"
+#include "percuss/deflection.hpp"
 #include "percuss/error.hpp"
 #include "percuss/metrics.hpp"
 #include "percuss/models.hpp"
@@ -78,6 +80,22 @@ TEST(PublicErrors, NameTheFieldOfTheOption) {
               HasSubstr("(HitOptions::from_s, HitOptions::to_s)"));
   EXPECT_THAT(field_message([&] { Analysis(record, {.hits = {.accept_hit = {1}, .reject_hit = {1}}}); }),
               HasSubstr("HitOptions::accept_hit, HitOptions::reject_hit"));
+  EXPECT_THAT(field_message([&] { find_hits(record, {.from_s = -0.1}); }), HasSubstr("(HitOptions::from_s)"));
+  EXPECT_THAT(field_message([&] { find_hits(record, {.to_s = std::nan("")}); }),
+              HasSubstr("(HitOptions::from_s, HitOptions::to_s)"));
+  EXPECT_THAT(field_message([&] { find_hits(record, {.pretrigger_s = -1}); }), HasSubstr("(HitOptions::pretrigger_s)"));
+}
+
+TEST(PublicErrors, RefuseGeometriesThatDoNotFitTogether) {
+  const Record record = synthesise_preset("wood-bat").record;
+  const std::vector<GeometryPoint> one{{.xyz_m = std::array{0.0, 0.0, 0.0}}};
+  const std::vector<std::pair<Geometry, std::string>> bad{
+      {{.points = one, .lines = {{0, 7}}}, "point 7 is connected, but not listed"},
+      {{.points = one, .faces = {{0, 0, 7}}}, "point 7 is connected, but not listed"},
+      {{.points = one, .faces = {{0, 0}}}, "fewer than three corners"},
+      {{.points = one, .axis = 3}, "no such axis"}};
+  for (const auto& [geometry, problem] : bad)
+    EXPECT_THAT(input_error_of([&] { Survey(record, {.geometry = geometry}); }), HasSubstr(problem));
 }
 
 TEST(PublicErrors, RefuseArraysThatDoNotFitTogether) {
@@ -121,6 +139,11 @@ TEST(PublicErrors, RefuseSeveralRunsInOneAnalysis) {
     "modes": [{"frequency_hz": 200, "damping_ratio": 0.02, "family": "bending", "order": 1}], "hits": 2, "runs": 2})")
           .record;
   EXPECT_THAT(input_error_of([&] { Analysis analysis(record); }), HasSubstr("several runs"));
+  EXPECT_THAT(input_error_of([&] { Survey survey(record); }), HasSubstr("several runs"));
+  EXPECT_THAT(input_error_of([&] { find_hits(record); }), HasSubstr("several runs"));
+  EXPECT_THAT(input_error_of([&] { estimate_frfs(record); }), HasSubstr("several runs"));
+  EXPECT_THAT(input_error_of([&] { Deflections deflections(record); }), HasSubstr("several runs"));
+  EXPECT_EQ(find_hits(record.runs()[0]).size(), 2U);
   ASSERT_EQ(record.runs().size(), 2U);
   EXPECT_EQ(Analysis(record.runs()[1]).hits().size(), 2U);
   EXPECT_EQ(analyze_batch(std::vector<Record>{record}).size(), 2U);

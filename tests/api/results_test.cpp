@@ -1,10 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <complex>
 #include <cstdlib>
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -128,6 +133,36 @@ TEST_F(PublicResults, SurveyDocumentEqualsThatOfTheCommand) {
   EXPECT_EQ(survey.shapes().size(), stated["modes"].size());
   ASSERT_TRUE(survey.geometry());
   EXPECT_TRUE(survey.geometry()->tube);
+}
+
+// A tube along z, with two lines and a face.
+TEST_F(PublicResults, GeometriesKeepTheirAxisLinesAndFaces) {
+  const std::string path = folder_.file("tube.csv");
+  std::string text = "point,x_m,y_m,z_m\n";
+  for (int ring = 0; ring < 3; ++ring) {
+    for (int i = 0; i < 8; ++i) {
+      const double angle_rad = i * std::numbers::pi / 4;
+      text += fmt::format("{},{:.17g},{:.17g},{}\n", 8 * ring + i, 0.03 * std::cos(angle_rad),
+                          0.03 * std::sin(angle_rad), 0.1 * ring);
+    }
+  }
+  test::write_bytes(path, text + "line,0,1,9\nface,2,3,11,10\n");
+  const Geometry geometry = read_geometry(path);
+  EXPECT_TRUE(geometry.tube);
+  EXPECT_EQ(geometry.axis, 2U);
+  EXPECT_EQ(geometry.lines, (std::vector<std::array<int, 2>>{{0, 1}, {1, 9}}));
+  EXPECT_EQ(geometry.faces, (std::vector<std::vector<int>>{{2, 3, 11, 10}}));
+
+  const std::string record = file_of("roving-barrel");
+  const Survey survey(open_record(record),
+                      {.analysis = {.band_Hz = kBand, .effort = Effort::quick}, .geometry = geometry});
+  EXPECT_EQ(survey.geometry()->axis, 2U);
+  EXPECT_EQ(survey.geometry()->lines, geometry.lines);
+  EXPECT_EQ(survey.geometry()->faces, geometry.faces);
+  write(folder_.file("ours.svg"), survey);
+  output_of({"survey", record, "--band", "60:3200", "--effort", "quick", "--geometry", path, "--quiet", "-o",
+             folder_.file("theirs.svg")});
+  EXPECT_EQ(test::bytes_of(folder_.file("ours.svg")), test::bytes_of(folder_.file("theirs.svg")));
 }
 
 TEST_F(PublicResults, DeflectionDocumentEqualsThatOfDeflect) {

@@ -13,6 +13,7 @@ namespace percuss::batch::plan_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 class BatchPlan : public testing::Test {
  protected:
@@ -48,6 +49,17 @@ TEST_F(BatchPlan, AcceptsPatternsAndTakesEachFileOnce) {
   EXPECT_THAT(record_files({make("any.name")}).paths, ElementsAre(folder_.file("any.name")));
   EXPECT_THROW(record_files({folder_.file("z*.csv")}), InputError);
   EXPECT_THROW(record_files({folder_.file("none.csv")}), InputError);
+}
+
+TEST_F(BatchPlan, TellsFoldersThatCannotBeReadFromPatternsWithoutAMatch) {
+  fs::create_symlink("loop", folder_.file("loop"));  // opening it fails with ELOOP, also for root
+  const auto message = [&](const char* pattern) {
+    return test::input_error_of([&] { record_files({folder_.file(pattern)}); });
+  };
+  EXPECT_THAT(message("loop/*.csv"), HasSubstr("a folder of the pattern cannot be read"));
+  EXPECT_THAT(message("missing/*.csv"), HasSubstr("no file matches the pattern"));
+  make("file.csv");
+  EXPECT_THAT(message("file.csv/*.csv"), HasSubstr("no file matches the pattern"));
 }
 
 TEST_F(BatchPlan, ListsFilesInNaturalOrder) {

@@ -108,7 +108,7 @@ DeviceFormat replay_format(const Record& record, bool fast, bool set_up) {
   }
   for (const SignalInfo& signal : record.accel) {
     format.stream.names.push_back(signal.name);
-    format.stream.units.emplace_back(signal.measures == Quantity::pressure ? "Pa" : "m/s^2");
+    format.stream.units.emplace_back(si_name(signal.measures));
   }
   format.stream.channels = format.stream.names.size();
   return format;

@@ -96,7 +96,7 @@ void take_calibration(const SoundCalibration& calibration, bool scaled, DeviceFo
   for (const SoundCalibration::Signal& signal : calibration.signals) {
     stream.names.push_back(signal.name);
     if (!scaled) continue;
-    stream.units.emplace_back(signal.measures == Quantity::force ? "N" : "m/s^2");
+    stream.units.emplace_back(si_name(signal.measures));
     format.scales.push_back(format.scale * signal.to_SI);
     if (whole) stream.full_scales.push_back(std::abs(signal.to_SI));
   }

@@ -177,7 +177,8 @@ bool SampleStore::write_block(bool last) {
     const std::lock_guard guard(mutex_);
     written_ += range.frames;
     lost = std::exchange(lost_by_journal_, 0);
-    if (written_ > read_) unread_.push_back({range.index, *offset, range.frames, block_bytes_.size()});
+    if (written_ > read_)
+      unread_.push_back({range.index, range.first_frame, *offset, range.frames, block_bytes_.size()});
   }
   if (lost > 0) note({.fault = CaptureFault::not_in_journal, .frame = range.first_frame, .count = lost});
   return true;

@@ -60,7 +60,7 @@ class SampleStore {
 
  private:
   struct UnreadBlock {  // in the journal
-    std::uint64_t index = 0, offset = 0;
+    std::uint64_t index = 0, first_frame = 0, offset = 0;
     std::size_t frames = 0, bytes = 0;
   };
 

@@ -34,13 +34,17 @@ std::optional<SampleBlock> SampleStore::take_from_journal(std::unique_lock<std::
     }
     const UnreadBlock place = unread_.front();
     unread_.pop_front();
+    const auto skipped = static_cast<std::size_t>(read_ - place.index);  // only this thread changes read_
     lock.unlock();
     const std::string bytes = journal_->writer().block_at(place.offset, place.bytes);
     const std::string_view head(bytes.data(), std::min(bytes.size(), kBlockHeader_bytes));
     const std::string_view payload = std::string_view(bytes).substr(head.size());
     const auto header = parse_block_header(head);
     const bool whole = header && block_is_whole(head, payload);
-    if (!whole) note({.fault = CaptureFault::dropped, .frame = 0, .count = place.frames});
+    if (!whole) {
+      note(
+          {.fault = CaptureFault::dropped, .frame = place.first_frame + place.frames, .count = place.frames - skipped});
+    }
     SampleBlock block;
     if (whole) {
       block = {.first_frame = header->first_frame,
@@ -49,7 +53,6 @@ std::optional<SampleBlock> SampleStore::take_from_journal(std::unique_lock<std::
                .overrun = (header->flags & kBlockOverrun) != 0};
     }
     lock.lock();
-    const auto skipped = static_cast<std::size_t>(read_ - place.index);
     read_ = place.index + place.frames;
     if (!whole) {
       overrun_for_reader_ = true;

@@ -18,6 +18,7 @@ std::string input_name_of(const FrfRecord& record) { return input_name(record.so
 }  // namespace
 
 FrfRecord join_frfs(std::vector<FrfRecord> records) {
+  if (records.empty()) throw InputError("nothing to join", "no files", "name at least one file");
   FrfRecord out = std::move(records.front());
   std::vector<NotesOfFile> notes{{input_name_of(out), out.notes}};
   for (std::size_t r = 1; r < records.size(); ++r) {

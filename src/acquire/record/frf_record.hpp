@@ -46,7 +46,7 @@ struct FrfReadOptions {
 };
 
 /// Joins several files of FRFs to one test. The points of a file follow the points of the file before it.
-/// errors  InputError: lines, channels or exponential windows differ; names the file.
+/// errors  InputError: no records; lines, channels or exponential windows differ; names the file.
 FrfRecord join_frfs(std::vector<FrfRecord> records);
 
 }  // namespace percuss::acquire

@@ -70,6 +70,7 @@ Record join_records(std::vector<Record> records, FileGrouping grouping) {
   out.rows.clear();
   out.notes.clear();
   out.faults.clear();
+  out.contiguous.clear();
   out.continuous = true;
   auto joined = std::make_shared<Joined>();
   std::int64_t points = 0;

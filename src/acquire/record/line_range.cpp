@@ -5,12 +5,6 @@
 #include "core/error.hpp"
 
 namespace percuss::acquire {
-namespace {
-
-constexpr double kUneven = 0.05;                             // of the spacing: frequencies may be rounded
-constexpr std::size_t kMaxFrfLines = std::size_t{1} << 28U;  // from 0 Hz on, present or not
-
-}  // namespace
 
 LineRange lines_from_frequencies(const std::vector<double>& freq_Hz, const std::string& where) {
   const char* const remedy = "save one line per frequency, evenly spaced from 0 Hz or a multiple of the spacing";
@@ -25,7 +19,7 @@ LineRange lines_from_frequencies(const std::vector<double>& freq_Hz, const std::
   const double df_Hz = freq_Hz.back() / (first + static_cast<double>(n - 1));
   for (std::size_t k = 0; k < n; ++k) {
     const double expected_Hz = (first + static_cast<double>(k)) * df_Hz;
-    if (std::abs(freq_Hz[k] - expected_Hz) <= kUneven * df_Hz) continue;
+    if (std::abs(freq_Hz[k] - expected_Hz) <= kMaxLineOffset * df_Hz) continue;
     throw InputError(
         fmt::format("the frequency {:.8g} Hz is not a multiple of the spacing of {:.6g} Hz", freq_Hz[k], rough_Hz),
         where, remedy);

@@ -7,6 +7,11 @@
 
 namespace percuss::acquire {
 
+/// How far the frequency of an FRF's line may be from a multiple of the spacing, relative to the spacing: files round.
+inline constexpr double kMaxLineOffset = 0.05;
+/// The largest number of lines of an FRF from 0 Hz on, present or not.
+inline constexpr std::size_t kMaxFrfLines = std::size_t{1} << 28U;
+
 /// Spectral lines first … first + count − 1 of the transform of `samples` values.
 struct LineRange {
   double fs_Hz = 0;
@@ -23,8 +28,8 @@ struct LineRange {
   }
 };
 
-/// The lines of evenly spaced frequencies that are multiples of their spacing. Frequencies may be rounded to 5 % of the
-/// spacing.
+/// The lines of evenly spaced frequencies that are multiples of their spacing. Frequencies may be rounded
+/// (kMaxLineOffset).
 /// errors  InputError at `where`: fewer than two, uneven, falling, negative.
 LineRange lines_from_frequencies(const std::vector<double>& freq_Hz, const std::string& where);
 

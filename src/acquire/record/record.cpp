@@ -65,6 +65,7 @@ std::vector<TraceLine> trace_lines_of(const std::vector<double>& numbers, std::s
 Record select_rows(const Record& record, const std::function<bool(const RowInfo&)>& keep) {
   Record out = record;
   out.rows.clear();
+  out.contiguous.clear();  // it states the place of the first row
   std::vector<std::size_t> from;
   std::vector<int> number(record.rows.size(), -1);  // of the kept rows
   for (std::size_t row = 0; row < record.rows.size(); ++row) {

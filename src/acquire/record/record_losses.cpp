@@ -4,8 +4,8 @@
 
 namespace percuss::acquire {
 
-void add_lost_lines(const Record& record, std::size_t kept, std::vector<std::string>& losses) {
-  if (kept >= record.trace_lines.size()) return;
+void add_lost_lines(const std::vector<TraceLine>& lines, std::size_t kept, std::vector<std::string>& losses) {
+  if (kept >= lines.size()) return;
   losses.emplace_back(kept == 0 ? "the lines between points" : "lines to points without coordinates");
 }
 

@@ -10,7 +10,7 @@ namespace percuss::acquire {
 // Parts of a record that a format may be unable to hold. Each function adds an entry where the record has the part.
 
 /// Trace lines, when the file keeps only `kept` of them.
-void add_lost_lines(const Record& record, std::size_t kept, std::vector<std::string>& losses);
+void add_lost_lines(const std::vector<TraceLine>& lines, std::size_t kept, std::vector<std::string>& losses);
 /// The sensors' angles and positions.
 void add_lost_places(const Record& record, std::vector<std::string>& losses);
 /// The quantities of the responses, if they differ: the file states one unit for all.

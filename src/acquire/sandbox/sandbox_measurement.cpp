@@ -1,5 +1,6 @@
 #include "acquire/sandbox/sandbox_measurement.hpp"
 
+#include <cmath>
 #include <memory>
 
 #include "acquire/record/point_number.hpp"
@@ -25,6 +26,8 @@ void serialize_frf_record(Serializer& out, const FrfRecord& record) {
   out.put_all(record.trace_lines);
   out.put(record.decay_per_s);
   serialize_notes(out, record.notes);
+  serialize_faces(out, record.trace_faces);
+  serialize_driving(out, record.driving);
   out.put(static_cast<std::uint64_t>(record.frfs.size()));
   for (const PointFrf& frf : record.frfs) {
     out.put(frf.point);
@@ -50,6 +53,8 @@ FrfRecord deserialize_frf_record(Deserializer& in) {
   record.trace_lines = in.all<TraceLine>();
   record.decay_per_s = in.get<double>();
   record.notes = deserialize_notes(in);
+  record.trace_faces = deserialize_faces(in);
+  record.driving = deserialize_driving(in);
   const std::size_t frfs = in.count(5 * sizeof(std::uint64_t));
   for (std::size_t i = 0; i < frfs; ++i) {
     PointFrf frf;
@@ -64,10 +69,17 @@ FrfRecord deserialize_frf_record(Deserializer& in) {
   return record;
 }
 
+bool is_frf_kind(FrfKind kind) {
+  return kind == FrfKind::accelerance || kind == FrfKind::mobility || kind == FrfKind::receptance;
+}
+
 // The invariants that the other layers rely on. The child may be compromised.
 bool plausible_frfs(const FrfRecord& record) {
   const std::size_t lines = record.lines.count;
-  bool valid = lines > 1 && !record.frfs.empty() && !record.accel.empty() && record.lines.df_Hz() > 0;
+  const double df_Hz = record.lines.samples > 0 ? record.lines.df_Hz() : 0;
+  bool valid = lines > 1 && !record.frfs.empty() && !record.accel.empty() && df_Hz > 0 && std::isfinite(df_Hz) &&
+               record.lines.first < kMaxFrfLines && is_frf_kind(record.kind) && plausible_geometry(record) &&
+               plausible_driving(record.driving, record.accel.size());
   for (const PointFrf& frf : record.frfs) {
     const auto fits = [&](std::size_t size) { return size == 0 || size == lines; };
     valid = valid && is_point_number(frf.point) && frf.channel < record.accel.size() && frf.frf.value.size() == lines &&

@@ -54,6 +54,7 @@ void serialize_description(Serializer& out, const Record& record) {
   serialize_faces(out, record.trace_faces);
   out.put_all(record.contiguous);
   serialize_notes(out, record.notes);
+  serialize_driving(out, record.driving);
 }
 
 Record deserialize_description(Deserializer& in) {
@@ -79,6 +80,7 @@ Record deserialize_description(Deserializer& in) {
   record.trace_faces = deserialize_faces(in);
   record.contiguous = in.all<ContiguousSignal>();
   record.notes = deserialize_notes(in);
+  record.driving = deserialize_driving(in);
   return record;
 }
 
@@ -110,13 +112,10 @@ bool fits(const std::vector<RowInfo>& rows, const ContiguousSignal& signal, std:
 // The invariants that the other layers rely on. The child may be compromised.
 bool plausible(const Record& record, std::uint64_t file_bytes) {
   bool valid = record.fs_Hz > 0 && std::isfinite(record.fs_Hz) && !record.rows.empty() && !record.accel.empty() &&
-               record.files.size() <= 1 && fits(record.rows, 1, file_bytes) &&
-               fits(record.rows, record.accel.size(), file_bytes);
+               record.files.size() <= 1 && fits(record.rows, record.accel.size(), file_bytes) &&
+               plausible_geometry(record) && plausible_driving(record.driving, record.accel.size());
   for (const RowInfo& row : record.rows)
     valid = valid && row.samples >= 2 && row.file == 0 && is_point_number(row.point);
-  const auto exists = [&](int point) { return point >= 0 && static_cast<std::size_t>(point) < record.geometry.size(); };
-  for (const TraceFace& face : record.trace_faces)
-    valid = valid && face.size() >= 3 && std::all_of(face.begin(), face.end(), exists);
   for (const ContiguousSignal& signal : record.contiguous) valid = valid && fits(record.rows, signal, file_bytes);
   return valid;
 }
@@ -187,6 +186,29 @@ std::vector<std::vector<double>> deserialize_geometry(Deserializer& in) {
   const std::size_t count = in.count(sizeof(std::uint64_t));
   for (std::size_t i = 0; i < count; ++i) geometry.push_back(in.all<double>());
   return geometry;
+}
+
+void serialize_driving(Serializer& out, const std::vector<DrivingPlace>& driving) {
+  out.put(static_cast<std::uint64_t>(driving.size()));
+  for (const DrivingPlace& at : driving) {
+    out.put(at.point);
+    out.put(static_cast<std::uint64_t>(at.channel));
+  }
+}
+
+std::vector<DrivingPlace> deserialize_driving(Deserializer& in) {
+  std::vector<DrivingPlace> driving;
+  const std::size_t count = in.count(sizeof(int) + sizeof(std::uint64_t));
+  for (std::size_t i = 0; i < count; ++i) {
+    const int point = in.get<int>();
+    driving.push_back({.point = point, .channel = in.get<std::uint64_t>()});
+  }
+  return driving;
+}
+
+bool plausible_driving(const std::vector<DrivingPlace>& driving, std::size_t channels) {
+  return std::all_of(driving.begin(), driving.end(),
+                     [&](const DrivingPlace& at) { return is_point_number(at.point) && at.channel < channels; });
 }
 
 SandboxService record_service(Record record) {

@@ -1,5 +1,9 @@
 #pragma once
+#include <algorithm>
+#include <cstddef>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "acquire/record/record.hpp"
 #include "acquire/sandbox/sandbox_process.hpp"
@@ -23,5 +27,28 @@ void serialize_geometry(Serializer& out, const std::vector<std::vector<double>>&
 std::vector<std::vector<double>> deserialize_geometry(Deserializer& in);
 void serialize_faces(Serializer& out, const std::vector<TraceFace>& faces);
 std::vector<TraceFace> deserialize_faces(Deserializer& in);
+void serialize_driving(Serializer& out, const std::vector<DrivingPlace>& driving);
+std::vector<DrivingPlace> deserialize_driving(Deserializer& in);
+
+// Checks of parts that a sandboxed process has described. It may be compromised.
+
+/// Whether every row of the geometry has the same 2 or 3 numbers, and the lines and faces connect its rows. Of a Record
+/// or an FrfRecord.
+template <class AnyRecord>
+bool plausible_geometry(const AnyRecord& record) {
+  const auto& rows = record.geometry;
+  const auto fits = [&](const std::vector<double>& row) {
+    return (row.size() == 2 || row.size() == 3) && row.size() == rows.front().size();
+  };
+  const auto exists = [&](int point) { return point >= 0 && static_cast<std::size_t>(point) < rows.size(); };
+  const auto connects = [&](const auto& points) { return std::all_of(points.begin(), points.end(), exists); };
+  return std::all_of(rows.begin(), rows.end(), fits) &&
+         std::all_of(record.trace_lines.begin(), record.trace_lines.end(), connects) &&
+         std::all_of(record.trace_faces.begin(), record.trace_faces.end(),
+                     [&](const TraceFace& face) { return face.size() >= 3 && connects(face); });
+}
+
+/// Whether the driving places have valid point numbers and are at one of the channels.
+bool plausible_driving(const std::vector<DrivingPlace>& driving, std::size_t channels);
 
 }  // namespace percuss::acquire

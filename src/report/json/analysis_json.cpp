@@ -6,6 +6,7 @@
 #include "pipeline/skipped_work.hpp"
 #include "report/json/analysis_options_json.hpp"
 #include "report/json/deflection_json.hpp"
+#include "report/json/or_null.hpp"
 #include "report/json/result_json.hpp"
 #include "report/json/warning_json.hpp"
 #include "report/text/version.hpp"
@@ -38,8 +39,7 @@ Json warnings_json(const std::vector<pipeline::Warning>& warnings) {
 Json skipped_json(const pipeline::Analysis& analysis) {
   Json json = Json::array();
   for (const pipeline::SkippedWork& one : pipeline::skipped_work(analysis)) {
-    json.push_back(
-        {{"code", one.code}, {"what", one.what}, {"why", one.why}, {"share", one.share ? Json(*one.share) : Json()}});
+    json.push_back({{"code", one.code}, {"what", one.what}, {"why", one.why}, {"share", or_null(one.share)}});
   }
   return json;
 }

@@ -3,14 +3,13 @@
 #include <nlohmann/json.hpp>
 
 #include "report/json/json_document.hpp"
+#include "report/json/or_null.hpp"
 #include "report/text/version.hpp"
 
 namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json optional_number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 Json pairs_json(const Comparison& c) {
   Json pairs = Json::array();
@@ -20,11 +19,11 @@ Json pairs_json(const Comparison& c) {
                      {"frequency_a_hz", c.a.modes[pair.a].freq_Hz},
                      {"frequency_b_hz", c.b.modes[pair.b].freq_Hz},
                      {"difference_percent", pair.difference_percent},
-                     {"difference_std_percent", optional_number(pair.difference_std_percent)},
-                     {"damping_ratio_a", optional_number(c.a.modes[pair.a].damping_ratio)},
-                     {"damping_ratio_b", optional_number(c.b.modes[pair.b].damping_ratio)},
-                     {"damping_difference_percent", optional_number(pair.damping_difference_percent)},
-                     {"damping_difference_std_percent", optional_number(pair.damping_difference_std_percent)},
+                     {"difference_std_percent", or_null(pair.difference_std_percent)},
+                     {"damping_ratio_a", or_null(c.a.modes[pair.a].damping_ratio)},
+                     {"damping_ratio_b", or_null(c.b.modes[pair.b].damping_ratio)},
+                     {"damping_difference_percent", or_null(pair.damping_difference_percent)},
+                     {"damping_difference_std_percent", or_null(pair.damping_difference_std_percent)},
                      {"mac", pair.mac ? Json(pair.mac->value) : Json()}});
   }
   return pairs;
@@ -39,8 +38,8 @@ Json unpaired_json(const metrics::ComparedDocument& document, const std::vector<
 Json deflections_json(const Comparison& c) {
   Json list = Json::array();
   for (const metrics::DeflectionPair& pair : c.deflections) {
-    list.push_back({{"point", pair.point ? Json(*pair.point) : Json()},
-                    {"position_m", optional_number(pair.position_m)},
+    list.push_back({{"point", or_null(pair.point)},
+                    {"position_m", or_null(pair.position_m)},
                     {"peak_a_m", pair.a_m},
                     {"peak_b_m", pair.b_m},
                     {"ratio", pair.ratio},

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/json/json_document.hpp"
+#include "report/json/or_null.hpp"
 #include "report/json/result_json.hpp"
 #include "report/json/warning_json.hpp"
 #include "report/text/deflection_text.hpp"
@@ -20,7 +21,7 @@ Json deflected_hit_json(const pipeline::Analysis& analysis, const pipeline::Defl
   return {{"index", hit.hit},
           {"channel", hit.channel},
           {"point", hit.point},
-          {"position_m", hit.position_m ? Json(*hit.position_m) : Json()},
+          {"position_m", or_null(hit.position_m)},
           {"peak_m", std::abs(d.peak_m)},
           {"peak_time_s", has_peak ? Json(sample_time_s(analysis, hit, d.peak)) : Json()},
           {"peak_std_m", d.std_m.empty() ? Json() : Json(d.peak_std_m)},
@@ -46,7 +47,7 @@ std::string deflection_json(const pipeline::Analysis& analysis, const pipeline::
   for (const pipeline::PointDeflection& point : test.points) {
     json["points"].push_back({{"point", point.point},
                               {"channel", point.channel},
-                              {"position_m", point.position_m ? Json(*point.position_m) : Json()},
+                              {"position_m", or_null(point.position_m)},
                               {"hits", point.hits},
                               {"peak_m", point.peak_m},
                               {"peak_std_m", point.std_m},

@@ -5,8 +5,10 @@
 
 #include "core/units.hpp"
 #include "identify/classify/asymmetry_split.hpp"
+#include "identify/shapes/mode_shapes.hpp"
 #include "report/json/json_document.hpp"
 #include "report/json/mode_std_json.hpp"
+#include "report/json/or_null.hpp"
 #include "report/text/coherence_summary.hpp"
 
 namespace percuss::report {
@@ -21,12 +23,12 @@ Json finding_json(const acquire::Finding& finding) {
   return json;
 }
 
-Json response_json(std::size_t channel, const acquire::ResponseGrade& grade) {
+Json response_grade_json(std::size_t channel, const acquire::ResponseGrade& grade) {
   Json json{{"channel", channel},
             {"left_db", grade.end_level_dB},
             {"truncated", grade.truncated},
             {"polarity", grade.polarity}};
-  json["delay_s"] = grade.delay_s ? Json(*grade.delay_s) : Json();
+  json["delay_s"] = or_null(grade.delay_s);
   return json;
 }
 
@@ -73,13 +75,18 @@ double raw_damping(const identify::Pole& pole, double decay_per_s) {
 }
 
 Json residue_json(const identify::Residue& r) {
-  const double std = std::hypot(r.std, r.relative_std * std::abs(r.value));
-  Json json{{"point", r.point}, {"channel", r.channel}, {"re", r.value.real()}, {"im", r.value.imag()}, {"std", std}};
+  Json json{{"point", r.point},
+            {"channel", r.channel},
+            {"re", r.value.real()},
+            {"im", r.value.imag()},
+            {"std", identify::total_std(r)}};
   if (!r.own_pole) return json;
   json["frequency_hz"] = r.own_pole->freq_Hz;
   json["damping_ratio"] = r.own_pole->damping_ratio;
   return json;
 }
+
+Json hit_parts_json(const pipeline::HitStdParts& parts) { return {{"noise", parts.noise}, {"hits", parts.hits}}; }
 
 }  // namespace
 
@@ -99,7 +106,7 @@ std::string hit_json(const acquire::Record& record, std::size_t i, const pipelin
   if (!analysed.responses.empty()) {
     json["responses"] = Json::array();
     for (std::size_t c = 0; c < analysed.responses.size(); ++c)
-      json["responses"].push_back(response_json(c, analysed.responses[c]));
+      json["responses"].push_back(response_grade_json(c, analysed.responses[c]));
   }
   return indented_text(json);
 }
@@ -188,8 +195,6 @@ std::string delays_json(const pipeline::Analysis& analysis) {
   add(analysis.channel_findings().delays, false);
   return indented_text(out);
 }
-
-Json hit_parts_json(const pipeline::HitStdParts& parts) { return {{"noise", parts.noise}, {"hits", parts.hits}}; }
 
 std::string modes_per_hit_json(const pipeline::Analysis& analysis) {
   Json out = Json::array();

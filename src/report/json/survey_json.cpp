@@ -4,16 +4,12 @@
 
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
+#include "report/json/or_null.hpp"
 
 namespace percuss::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <class T>
-Json or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json();
-}
 
 Json places_json(const std::vector<identify::ShapePlace>& places, bool point, bool channel) {
   Json out = Json::array();

@@ -208,8 +208,7 @@ std::string mode_name(const identify::ModeClassification& classification, std::s
   return classification.order > 0 ? mode_type_of(classification) : fmt::format("mode {}", index + 1);
 }
 
-std::string source_name(const pipeline::Analysis& analysis) {
-  const acquire::Record& record = analysis.record();
+std::string source_name(const acquire::Record& record) {
   const std::string name = one_line(input_name(record.source()), 400);
   return record.files.size() > 1 ? fmt::format("{} and {} more", name, record.files.size() - 1) : name;
 }

@@ -40,6 +40,6 @@ std::string source_of_std(const identify::Mode& mode);
 std::string mode_name(const identify::ModeClassification& classification, std::size_t index);
 
 /// The name of the first file, with "and 3 more".
-std::string source_name(const pipeline::Analysis& analysis);
+std::string source_name(const acquire::Record& record);
 
 }  // namespace percuss::report

@@ -15,7 +15,7 @@ namespace percuss::report {
 namespace {
 
 std::string heading(const pipeline::Analysis& analysis, std::size_t hits, std::size_t width) {
-  const std::string name = source_name(analysis);
+  const std::string name = source_name(analysis.record());
   const std::string text = test_conditions(analysis, hits);
   if (text_width(name) + 3 + text_width(text) <= width) return name + "   " + text + '\n';
   return name + "\n  " + wrapped(text, width, 2) + '\n';

@@ -219,7 +219,7 @@ void add_modes(const pipeline::Analysis& analysis, Sentences& out, bool shapes_d
     out.push_back(fmt::format("The user limited the modes to the {} clearest.", *options.modes.modes));
   if (!options.modes.start_Hz.empty()) {
     out.push_back(fmt::format("The user gave {} to fit from; no others were sought.",
-                              counted(options.modes.start_Hz.size(), "frequency") == "1 frequency"
+                              options.modes.start_Hz.size() == 1
                                   ? "1 frequency"
                                   : fmt::format("{} frequencies", options.modes.start_Hz.size())));
   }

@@ -45,13 +45,14 @@ constexpr std::uint64_t kCounterRange = std::uint64_t{1} << 24U;
 
 /// What a reader saw of a stream whose last channel counts the frames.
 struct Seen {
-  std::uint64_t frames = 0, wrong = 0, jumps = 0, lost = 0, next = 0;
+  std::uint64_t frames = 0, wrong = 0, jumps = 0, lost = 0, after_loss = 0, next = 0;
   bool begun = false;
 
   void add(const SampleBlock& block, std::size_t channels) {
     if (begun && block.first_frame != next) {
       ++jumps;
       lost += block.first_frame - next;
+      after_loss = block.first_frame;
     }
     begun = true;
     for (std::size_t i = 0; i < block.frames; ++i) {
@@ -238,6 +239,31 @@ TEST(CaptureStream, LosesNothingWhileTheReaderStalls) {
   EXPECT_EQ(seen.wrong + seen.jumps, 0U);
   EXPECT_EQ(stream.state().dropped_frames, 0U);
   EXPECT_EQ(wrong_numbers(JournalReader(path)), 0U);
+}
+
+// A block of the journal that is damaged before the stalled reader reads it back is lost. Its finding states the frame
+// after the loss, as for other dropped frames.
+TEST(CaptureStream, NamesTheFramesThatTheJournalDoesNotGiveBack) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("t.h5.journal");
+  CaptureStream stream(at_speed(kStallSpeed, "aluminium-bat,numbered,hits=1,first=9"),
+                       {.journal = path, .store = {.ring_s = 4}});
+  stream.keep_from(0);
+  std::this_thread::sleep_for(10000ms / kStallSpeed);
+  {
+    std::fstream journal(path, std::ios::in | std::ios::out | std::ios::binary);
+    journal.seekp(static_cast<std::streamoff>(std::filesystem::file_size(path) / 4));
+    journal.write("damaged", 7);
+  }
+  Seen seen;
+  read_all(stream, seen);
+  std::vector<CaptureFinding> dropped = stream.take_findings();
+  std::erase_if(dropped, [](const CaptureFinding& finding) { return finding.fault != CaptureFault::dropped; });
+  ASSERT_EQ(dropped.size(), 1U);
+  EXPECT_EQ(seen.jumps, 1U);
+  EXPECT_GT(dropped[0].count, 0U);
+  EXPECT_EQ(dropped[0].count, seen.lost);
+  EXPECT_EQ(dropped[0].frame, seen.after_loss);
 }
 
 // When the reader stalls, the stream starts to write samples to the journal, so that none are lost.

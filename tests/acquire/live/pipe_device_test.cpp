@@ -107,6 +107,14 @@ TEST(PipeDevice, KeepsTheScalesOfAWavThatPercussWrote) {
   EXPECT_THAT(device->format().stream.full_scales, ElementsAre(512, 4096));
 }
 
+TEST(PipeDevice, StatesPascalsForAMicrophone) {
+  const std::string calibration = R"({"fs_hz": 1000, "continuous": true, "rows": [], "signals": [)"
+                                  R"({"name": "tip", "measures": "acceleration", "si_at_full_scale": 1},)"
+                                  R"({"name": "mic", "measures": "pressure", "si_at_full_scale": 2}]})";
+  const FilledPipe pipe(wav_with_calibration(calibration, bytes_of_numbers(std::int16_t{1}, std::int16_t{1})));
+  EXPECT_THAT(open_pipe_device("wav", pipe.reading())->format().stream.units, ElementsAre("m/s^2", "Pa"));
+}
+
 // Units in a set-up apply to the stored numbers. The scales of the stream are then not used.
 TEST(PipeDevice, LeavesNumbersToASetUpWithUnits) {
   const std::string stream = wav_with_calibration(kTwoSignals, bytes_of_numbers(std::int16_t{16384}, std::int16_t{1}));

@@ -49,6 +49,10 @@ TEST(JoinFrfs, RefusesPointNumbersThatBecomeTooLarge) {
               HasSubstr("1000000001 is not a point number (other.csv)"));
 }
 
+TEST(JoinFrfs, RefusesNoFiles) {
+  EXPECT_THAT(test::input_error_of([] { join_frfs({}); }), HasSubstr("nothing to join"));
+}
+
 TEST(JoinFrfs, RefusesOtherLinesAndNamesTheFile) {
   const FrfRecord first = small_frfs();
   FrfRecord other = first;

@@ -23,6 +23,14 @@ TEST(SelectRows, ReadsTheSamplesOfTheRowsThatAreKept) {
   EXPECT_EQ(accel, 10);
 }
 
+// Record::contiguous states the place of the first row of the file.
+TEST(SelectRows, StatesNoPlacesInTheFile) {
+  Record record = three_rows();
+  record.contiguous = {{.offset_bytes = 100}, {.offset_bytes = 200}};
+  EXPECT_TRUE(odd_rows(record).contiguous.empty());
+  EXPECT_TRUE(join_records({record, record}, FileGrouping::hits).contiguous.empty());
+}
+
 TEST(SelectRows, ViewsSamplesInMemoryWithoutACopy) {
   const Record all = three_rows();
   const Record one = odd_rows(all);

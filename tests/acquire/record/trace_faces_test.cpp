@@ -45,8 +45,8 @@ TEST(TraceFaces, MustHaveThreeCornersThatExist) {
   EXPECT_THAT(problem({0, 1, 0.5}), HasSubstr("missing point"));
   EXPECT_THAT(problem({0, 1, -2}), HasSubstr("missing point"));
   EXPECT_THAT(problem({0, 1, -1}), HasSubstr("fewer than three corners"));
-  EXPECT_THAT(problem({0, 1, -1, 2}), HasSubstr("behind a missing one"));
-  EXPECT_THAT(problem({0, 1, 2, kNan, 3}), HasSubstr("behind a missing one"));
+  EXPECT_THAT(problem({0, 1, -1, 2}), HasSubstr("after a missing one"));
+  EXPECT_THAT(problem({0, 1, 2, kNan, 3}), HasSubstr("after a missing one"));
 }
 
 class TraceFaceFiles : public testing::Test {
@@ -72,6 +72,23 @@ TEST_F(TraceFaceFiles, AreKeptByEveryFormatThatHoldsThem) {
   }
   for (const char* path : {"r.csv", "r.wav"})
     EXPECT_THAT(losses_of(path, record_), Contains("the faces between points")) << path;
+}
+
+TEST_F(TraceFaceFiles, AreNamedWhereAUniversalFileLosesThem) {
+  const std::string path = folder_.file("r.uff"),
+                    part = "faces other than triangles and quadrilaterals between coordinates";
+  record_.geometry.push_back({0.5, 2, 0});
+  record_.geometry.push_back({kNan, kNan, kNan});
+  for (const TraceFace& lost : {TraceFace{0, 1, 2, 4, 3}, TraceFace{0, 1, 5}}) {
+    Record record = record_;
+    record.trace_faces.push_back(lost);
+    EXPECT_THAT(losses_of(path, record), Contains(part));
+    record.trace_faces = {lost};
+    EXPECT_THAT(losses_of(path, record), Contains("the faces between points"));
+    write_record(path, record, true);
+    EXPECT_THAT(open_record(path).trace_faces, IsEmpty());
+    EXPECT_THAT(losses_of("r.h5", record), Not(Contains(HasSubstr("faces"))));
+  }
 }
 
 TEST_F(TraceFaceFiles, AreRefusedUnlessTheyConnectExistingPoints) {

@@ -9,7 +9,9 @@
 #include <csignal>
 #include <ctime>
 #include <fstream>
+#include <functional>
 #include <future>
+#include <limits>
 #include <random>
 #include <thread>
 
@@ -83,6 +85,77 @@ TEST_F(Sandbox, TellsWhichUnitsAreAssumed) {
   });
   EXPECT_TRUE(there.force.unit_assumed);
   EXPECT_FALSE(there.accel.front().unit_assumed);
+}
+
+FrfRecord small_frfs() {
+  FrfRecord out;
+  out.files = {{.path = "r.mat"}};
+  out.lines = lines_from_frequencies({1, 2, 3}, "r.mat");
+  out.accel = {{.name = "accel 1"}};
+  out.frfs = {{.point = 0, .channel = 0, .frf = {.value = {1, 2, 3}}}};
+  return out;
+}
+
+// A record or FRFs with a geometry of three points.
+template <class AnyRecord>
+AnyRecord drawn(AnyRecord record) {
+  record.geometry = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  record.trace_lines = {{0, 2}};
+  record.trace_faces = {{0, 1, 2}};
+  record.driving = {{.point = 2, .channel = 0}};
+  return record;
+}
+
+TEST_F(Sandbox, PassesTheDrawingAndTheDrivingPlacesOn) {
+  const auto expect_all = [](const auto& there) {
+    EXPECT_EQ(there.geometry.size(), 3U);
+    EXPECT_EQ(there.trace_lines, (std::vector<TraceLine>{{0, 2}}));
+    EXPECT_EQ(there.trace_faces, (std::vector<TraceFace>{{0, 1, 2}}));
+    EXPECT_EQ(there.driving, (std::vector<DrivingPlace>{{.point = 2, .channel = 0}}));
+  };
+  expect_all(sandboxed([] { return drawn(small_record()); }));
+  expect_all(std::get<FrfRecord>(open_in_sandbox(path_, [] { return drawn(small_frfs()); })));
+}
+
+// Only a compromised process describes such records.
+template <class AnyRecord>
+std::vector<AnyRecord> contradictory_drawings(const AnyRecord& good) {
+  const auto changed = [&](const std::function<void(AnyRecord&)>& change) {
+    AnyRecord bad = drawn(good);
+    change(bad);
+    return bad;
+  };
+  return {changed([](AnyRecord& bad) {
+            bad.trace_lines = {{0, 3}};
+          }),
+          changed([](AnyRecord& bad) {
+            bad.trace_lines = {{-1, 0}};
+          }),
+          changed([](AnyRecord& bad) {
+            bad.trace_faces = {{0, 1}};
+          }),
+          changed([](AnyRecord& bad) {
+            bad.trace_faces = {{0, 1, 3}};
+          }),
+          changed([](AnyRecord& bad) { bad.geometry[1] = {}; }),
+          changed([](AnyRecord& bad) {
+            bad.geometry[1] = {1, 2};
+          }),
+          changed([](AnyRecord& bad) { bad.driving[0].channel = 1; }),
+          changed([](AnyRecord& bad) { bad.driving[0].point = -1; })};
+}
+
+TEST_F(Sandbox, RefusesPartsThatContradictEachOther) {
+  for (const Record& bad : contradictory_drawings(small_record()))
+    EXPECT_THAT(input_error_of([&] { sandboxed([&] { return bad; }); }), HasSubstr("contradict"));
+  std::vector<FrfRecord> frfs = contradictory_drawings(small_frfs());
+  const auto add = [&](const std::function<void(FrfRecord&)>& change) { change(frfs.emplace_back(small_frfs())); };
+  add([](FrfRecord& bad) { bad.lines.samples = 0; });
+  add([](FrfRecord& bad) { bad.lines.fs_Hz = std::numeric_limits<double>::infinity(); });
+  add([](FrfRecord& bad) { bad.lines.first = std::size_t{1} << 28U; });
+  add([](FrfRecord& bad) { bad.kind = static_cast<FrfKind>(7); });
+  for (const FrfRecord& bad : frfs)
+    EXPECT_THAT(input_error_of([&] { open_in_sandbox(path_, [&] { return bad; }); }), HasSubstr("contradict"));
 }
 
 TEST_F(Sandbox, ServesMoreThanOneTransfer) {

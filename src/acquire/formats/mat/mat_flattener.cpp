@@ -154,8 +154,9 @@ void MatFlattener::check_claim(const matvar_t* variable, std::size_t depth) {
   if (variable->class_type == MAT_C_STRUCT || variable->class_type == MAT_C_CELL) {
     const std::uint64_t fields =
         variable->class_type == MAT_C_CELL ? 1 : Mat_VarGetNumberOfFields(to_mutable(variable));
+    if (fields == 0) return;
     const auto* const children = static_cast<matvar_t* const*>(variable->data);
-    spend(count * fields, sizeof(matvar_t*));
+    spend(count, fields * sizeof(matvar_t*));  // before the product count * fields, which may overflow
     for (std::uint64_t i = 0; children != nullptr && i < count * fields; ++i) check_claim(children[i], depth + 1);
     return;
   }

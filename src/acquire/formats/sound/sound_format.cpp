@@ -22,7 +22,7 @@ Measurement open_sound_file(const FormatInput& input, const FrfReadOptions& opti
 std::vector<std::string> w64_losses(const Record& record) {
   std::vector<std::string> losses;
   if (!record.geometry.empty()) losses.emplace_back("the geometry");
-  add_lost_lines(record, 0, losses);
+  add_lost_lines(record.trace_lines, 0, losses);
   add_lost_places(record, losses);
   if (record.rows.size() > 1) losses.emplace_back("where hits begin, their points and runs");
   if (record.fs_Hz != std::round(record.fs_Hz)) losses.emplace_back("the sampling rate's fraction");
@@ -35,7 +35,7 @@ std::vector<std::string> sound_losses(const std::string& path, const Record& rec
   std::vector<std::string> losses;
   const bool kept = calibration_holds_geometry(record.geometry);
   if (!record.geometry.empty() && !kept) losses.emplace_back("the geometry (its points are numbered too far apart)");
-  add_lost_lines(record, kept ? record.trace_lines.size() : 0, losses);
+  add_lost_lines(record.trace_lines, kept ? record.trace_lines.size() : 0, losses);
   return losses;
 }
 

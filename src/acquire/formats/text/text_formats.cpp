@@ -56,7 +56,7 @@ void write_frf_csv_file(const std::string& path, const FrfRecord& record, FrfKin
 std::vector<std::string> csv_losses(const std::string& /*path*/, const Record& record) {
   std::vector<std::string> losses;
   if (!record.geometry.empty()) losses.emplace_back("the geometry");
-  add_lost_lines(record, 0, losses);
+  add_lost_lines(record.trace_lines, 0, losses);
   add_lost_places(record, losses);
   if (record.continuous && record.rows.size() > 1) losses.emplace_back("that every row may hold several hits");
   add_lost_names(record, losses);

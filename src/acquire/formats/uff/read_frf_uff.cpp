@@ -93,7 +93,6 @@ LineRange lines_of_function(const UffFunction& f, const std::string& where, std:
   }
   const double step = uff_step(f, true, to_Hz, note);
   const double first = std::round(f.x0 / step);
-  constexpr double kMaxLineOffset = 0.05;  // of the spacing, as in lines_from_frequencies
   const bool fits = step > 0 && first >= 0 && std::abs(f.x0 / step - first) <= kMaxLineOffset;
   if (!fits || f.count < 2) {
     throw InputError(fmt::format("{} lines from {} Hz in steps of {} Hz", f.count, f.x0 * to_Hz, f.dx * to_Hz), where,

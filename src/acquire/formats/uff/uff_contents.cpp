@@ -50,7 +50,7 @@ UffContents read_uff_contents(const FileBytes& file) {
 }
 
 std::vector<Message> uff_notes(const UffContents& contents) {
-  static const std::set<int> kRead{15, 18, 55, 58, 82, 151, 164, 2411, 2412, 2414};
+  static const std::set<int> kRead{15, 18, 55, 58, 82, 151, 164, 2411, 2412, 2414, 2420};
   std::vector<Message> notes;
   std::string unused;
   for (const auto& [number, count] : contents.sets) {

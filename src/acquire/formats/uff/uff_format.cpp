@@ -26,22 +26,35 @@ Measurement open_uff_file(const FormatInput& input, const FrfReadOptions& option
   return open_uff(file, std::move(contents), options.read);
 }
 
+// The parts of the drawing that the nodes, lines and elements of a file lose: of a Record or an FrfRecord.
+template <class AnyRecord>
+void add_lost_drawing(const AnyRecord& record, std::vector<std::string>& losses) {
+  if (!record.geometry.empty() && record.geometry.front().size() != 3)
+    losses.emplace_back("the geometry (positions and angles instead of coordinates)");
+  add_lost_lines(record.trace_lines, uff_drawable_lines(record.geometry, record.trace_lines).size(), losses);
+  const std::size_t faces = uff_drawable_faces(record.geometry, record.trace_faces).size();
+  if (faces < record.trace_faces.size()) {
+    losses.emplace_back(faces == 0 ? "the faces between points"
+                                   : "faces other than triangles and quadrilaterals between coordinates");
+  }
+}
+
 std::vector<std::string> uff_losses(const std::string& /*path*/, const Record& record) {
   std::vector<std::string> losses;
-  const bool coordinates = !record.geometry.empty() && record.geometry.front().size() == 3;
-  if (!record.geometry.empty() && !coordinates)
-    losses.emplace_back("the geometry (positions and angles instead of coordinates)");
-  add_lost_lines(record, coordinates ? uff_drawable_lines(record.geometry, record.trace_lines).size() : 0, losses);
+  add_lost_drawing(record, losses);
   add_lost_names(record, losses);
   return losses;
 }
 
 // A reader computes standard deviations from the coherence and the number of averages, if both are known.
 std::vector<std::string> uff_frf_losses(const FrfRecord& record) {
-  const bool lost = std::any_of(record.frfs.begin(), record.frfs.end(), [](const PointFrf& one) {
+  std::vector<std::string> losses;
+  const bool no_std = std::any_of(record.frfs.begin(), record.frfs.end(), [](const PointFrf& one) {
     return !one.frf.std.empty() && (one.frf.coherence.empty() || one.frf.averages < 2);
   });
-  return lost ? std::vector<std::string>{"the standard deviations"} : std::vector<std::string>{};
+  if (no_std) losses.emplace_back("the standard deviations");
+  add_lost_drawing(record, losses);
+  return losses;
 }
 
 }  // namespace

@@ -160,12 +160,14 @@ std::vector<std::string> uff_trace_line_sets(const std::vector<TraceLine>& lines
   return out;
 }
 
+bool is_uff_element(const TraceFace& face) { return face.size() == 3 || face.size() == 4; }
+
 std::string uff_element_lines(const std::vector<TraceFace>& faces, int offset) {
   constexpr int kTriangle = 91, kQuadrilateral = 94;
   std::string out;
   int number = 0;
   for (const TraceFace& face : faces) {
-    if (face.size() != 3 && face.size() != 4) continue;
+    if (!is_uff_element(face)) continue;
     out += fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}\n", ++number, face.size() == 3 ? kTriangle : kQuadrilateral, 1,
                        1, kColour, face.size());
     for (const int corner : face) out += fmt::format("{:10}", corner + offset);

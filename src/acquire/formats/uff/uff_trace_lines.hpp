@@ -25,6 +25,9 @@ UffTraceLines read_uff_trace_lines(const std::vector<UffSet>& sets, const FileBy
 /// starts at the end of the previous one.
 std::vector<std::string> uff_trace_line_sets(const std::vector<TraceLine>& lines, int offset);
 
+/// Whether a set 2412 of percuss holds the face: a triangle or a quadrilateral.
+bool is_uff_element(const TraceFace& face);
+
 /// The body of a set 2412 of these faces (by point; node = point + offset): triangles and quadrilaterals as thin
 /// shells. Other faces are left out.
 std::string uff_element_lines(const std::vector<TraceFace>& faces, int offset);

@@ -94,7 +94,9 @@ std::vector<TraceLine> uff_drawable_lines(const std::vector<std::vector<double>>
 
 std::vector<TraceFace> uff_drawable_faces(const std::vector<std::vector<double>>& geometry,
                                           const std::vector<TraceFace>& faces) {
-  return drawable(geometry, faces);
+  std::vector<TraceFace> out = drawable(geometry, faces);
+  std::erase_if(out, [](const TraceFace& face) { return !is_uff_element(face); });
+  return out;
 }
 
 std::string uff_node_lines(const std::vector<std::vector<double>>& geometry, int node_offset) {

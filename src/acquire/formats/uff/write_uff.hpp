@@ -17,7 +17,7 @@ void write_uff(const std::string& path, const Record& record, bool force, UffDat
 std::vector<TraceLine> uff_drawable_lines(const std::vector<std::vector<double>>& geometry,
                                           const std::vector<TraceLine>& lines);
 
-/// The faces whose corners all have coordinates.
+/// The triangles and quadrilaterals whose corners all have coordinates. Other faces are not written.
 std::vector<TraceFace> uff_drawable_faces(const std::vector<std::vector<double>>& geometry,
                                           const std::vector<TraceFace>& faces);
 

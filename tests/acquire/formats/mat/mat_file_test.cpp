@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 #include <matio.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
+#include <string>
 #include <type_traits>
 
+#include "acquire/formats/mat/mat_flattener.hpp"
 #include "support/input_error.hpp"
 #include "support/mat_builder.hpp"
 #include "support/scratch_folder.hpp"
@@ -52,6 +55,23 @@ class MatFiles : public testing::Test {
   test::ScratchFolder folder_;
   std::string path_ = folder_.file("x.mat");
 };
+
+// A header claims 2^60 elements with 16 fields: the count of their values does not fit into 64 bits.
+TEST(MatFlattener, RefusesAStructureWhoseCountOfValuesOverflows) {
+  std::array<std::string, 16> names;
+  std::array<const char*, 16> texts{};
+  for (std::size_t f = 0; f < names.size(); ++f) texts[f] = (names[f] = "f" + std::to_string(f)).c_str();
+  std::array<std::size_t, 2> shape{1, 1};
+  const std::unique_ptr<matvar_t, decltype(&Mat_VarFree)> structure(
+      Mat_VarCreateStruct("s", 2, shape.data(), texts.data(), texts.size()), Mat_VarFree);
+  ASSERT_NE(structure, nullptr);
+  const std::array<std::size_t, 2> stored{structure->dims[0], structure->dims[1]};
+  structure->dims[0] = structure->dims[1] = std::size_t{1} << 30U;
+  MatFile out;
+  acquire::MatFlattener flatten(out, 1'000'000);
+  EXPECT_THAT(input_error_of([&] { flatten.check_claim(structure.get()); }), HasSubstr("claims more numbers"));
+  std::copy(stored.begin(), stored.end(), structure->dims);  // Mat_VarFree frees as many
+}
 
 TEST_F(MatFiles, HoldNumbersOfEveryType) {
   {
