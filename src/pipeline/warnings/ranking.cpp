@@ -23,6 +23,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"units_differ", Severity::reject},
     {"implausible_motion", Severity::reject},
     {"reversed", Severity::reject},
+    {"sensors_disagree", Severity::reject},
     {"clock_mismatch", Severity::reject},
     {"polarity", Severity::reject},
     {"dead_channel", Severity::reject},

@@ -1,0 +1,25 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "identify/model/mode.hpp"
+
+namespace percuss::pipeline {
+
+/// A point of a roving-hammer survey at which two fixed sensors contradict the other points.
+struct ReferenceContradiction {
+  std::size_t point = 0;   // its number
+  std::size_t first = 0;   // channel
+  std::size_t second = 0;  // channel
+  double factor = 1;       // (second over first) here over the same ratio at the other points: -1, 9.81, 0
+  std::size_t modes = 0;   // that show the factor
+};
+
+/// The points at which one real factor, far from 1, relates the residues of two channels to their ratio at the other
+/// points, in all clear modes. At each point A_pc = φ_p φ_c, so that the ratio of two sensors depends on the mode
+/// alone. A reversed, disconnected or wrongly scaled channel in the data of one point has such a factor. Empty for
+/// fewer than three modes or six points, and where more than a quarter of the points would be named: then these points
+/// may be right. theory (5.1)
+std::vector<ReferenceContradiction> reference_contradictions(const std::vector<identify::Mode>& modes);
+
+}  // namespace percuss::pipeline
