@@ -54,9 +54,9 @@ std::vector<std::size_t> chosen_channels(const ReadOptions& options, std::size_t
   std::vector<std::size_t> chosen;
   for (const std::string& name : options.accel_channels) {
     const auto index = channel_named(name, channels);
-    if (!index) throw InputError("no acceleration channel " + name, path + ": /accel", names_of(channels));
+    if (!index) throw InputError("no acceleration channel " + name, path, names_of(channels));
     if (std::find(chosen.begin(), chosen.end(), *index) != chosen.end()) {
-      throw InputError("acceleration channel " + name + " requested twice", path + ": /accel", "name it once");
+      throw InputError("acceleration channel " + name + " requested twice", path, "name it once");
     }
     chosen.push_back(*index);
   }

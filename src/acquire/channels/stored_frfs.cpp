@@ -120,7 +120,7 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
   std::vector<SignalInfo> accel;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const ChannelSetup* setup = accel_setup(options.read, channels[i], record.accel.size());
-    const SignalOverrides choice = accel_overrides(options.read, setup, i, channels.size());
+    const SignalOverrides choice = accel_overrides(options.read, setup, i, channels.size(), where);
     SignalInfo signal = record.accel[channels[i]];
     signal.to_SI = choice.sign * response_factor(choice, stored, record.kind, where) / force_to_SI;
     if (!std::isfinite(signal.to_SI) || signal.to_SI == 0)

@@ -180,7 +180,7 @@ void InputDataSet::check_chunks(const InputHdf5& file, const std::string& name, 
   }
   if (chunk_bytes > claim_limit) throw InputError("claims chunks larger than the file", where_, kWriteAnew);
   hsize_t present = 0;
-  const Handle space(H5Dget_space(set_.get()));  // this version of the library refuses H5S_ALL here
+  const Handle space(H5Dget_space(set_.get()));  // HDF5 1.10.8 refuses H5S_ALL here
   if (expected <= kMaxCountedChunks && H5Dget_num_chunks(set_.get(), space.get(), &present) < 0) damaged();
   if (expected <= kMaxCountedChunks && present < expected) {
     throw InputError("holds " + std::to_string(present) + " of its " + std::to_string(expected) + " chunks", where_,

@@ -122,7 +122,7 @@ void describe_signals(OpenRecord& open, const ReadOptions& options, Record& reco
     SignalInfo signal{.name = channel_name(c), .unit = unit, .position_m = position_m[c]};
     if (angle_deg[c]) signal.angle_rad = *angle_deg[c] * kDegree_rad;
     const ChannelSetup* const setup = accel_setup(options, c, open.layout.channels);
-    const SignalOverrides choice = accel_overrides(options, setup, i, open.channels.size());
+    const SignalOverrides choice = accel_overrides(options, setup, i, open.channels.size(), file.path());
     apply_overrides(signal, choice, response_quantity(signal, choice, record.has_force),
                     file.where("accel") + ", " + signal.name);
     open.to_mps2.push_back(signal.to_SI);
