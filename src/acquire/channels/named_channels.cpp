@@ -11,7 +11,7 @@ namespace {
 
 bool is_force_name(const std::string& name) { return name == "force" || name == "/force"; }
 
-/// The channel, counted from 0, that a name or 1-based number stands for.
+// The channel, counted from 0, that a name or 1-based number stands for.
 std::optional<std::size_t> channel_named(std::string name, std::size_t channels) {
   if (name.starts_with('/')) name.erase(0, 1);
   if (name.starts_with("accel")) {
@@ -43,8 +43,6 @@ void check_setup(const ChannelSetup& entry, std::size_t channels, const std::str
 }
 
 }  // namespace
-
-std::string channel_name(std::size_t index) { return "accel " + std::to_string(index + 1); }
 
 std::vector<std::size_t> chosen_channels(const ReadOptions& options, std::size_t channels, const std::string& path) {
   for (const ChannelSetup& entry : options.setup) check_setup(entry, channels, path);

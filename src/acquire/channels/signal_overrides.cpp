@@ -123,8 +123,8 @@ void mark_unit_assumed(SignalInfo& signal) {
 }
 
 void note_other_rate(const std::string& source, double file_Hz, double stated_Hz, std::vector<Message>& notes) {
-  constexpr double kSame = 0.01;
-  if (!(file_Hz > 0) || std::abs(file_Hz / stated_Hz - 1) <= kSame) return;
+  constexpr double kMaxRateDifference = 0.01;
+  if (!(file_Hz > 0) || std::abs(file_Hz / stated_Hz - 1) <= kMaxRateDifference) return;
   notes.emplace_back(fmt::format("{} gives {:.6g} Hz; the stated rate is used", source, file_Hz),
                      std::vector<OptionId>{"fs"});
 }

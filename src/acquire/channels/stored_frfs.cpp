@@ -94,7 +94,7 @@ Frf accelerance_of(StoredFrf stored, const FrfRecord& record, double factor, con
 
 // Whether the phase rises with frequency where the FRFs are large. At a resonance it falls by π for exp(+jωt).
 bool phase_rises(const std::vector<PointFrf>& frfs) {
-  constexpr double kMostly = 0.5;
+  constexpr double kMinRisingShare = 0.5;
   double turned = 0, all = 0;
   for (const PointFrf& one : frfs) {
     const std::vector<Complex>& frf = one.frf.value;
@@ -104,7 +104,7 @@ bool phase_rises(const std::vector<PointFrf>& frfs) {
       all += std::abs(step);
     }
   }
-  return turned > kMostly * all;
+  return turned > kMinRisingShare * all;
 }
 
 }  // namespace
