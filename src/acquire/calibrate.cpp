@@ -90,7 +90,7 @@ CalibrationHit compare(const Record& record, const Hit& hit, double mass_kg) {
 void require_free_mass(double ringing, const std::string& where) {
   if (ringing <= kMaxRinging) return;
   throw InputError(
-      fmt::format("no free mass: after the pulses the acceleration goes on with {:.0f} % of its peak (rms), "
+      fmt::format("the mass is not free: after the pulses, the acceleration is still {:.0f} % of its peak (rms), "
                   "like the ringing of a structure",
                   100 * ringing),
       where, "hit a compact mass that hangs freely");

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "acquire/channels/named_channels.hpp"
+#include "acquire/record/channel_name.hpp"
 #include "core/error.hpp"
 
 namespace percuss::acquire {

@@ -1,4 +1,5 @@
 #include "percuss/frf.hpp"
+#include "acquire/record/channel_name.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ void require_all_channels(const std::vector<Frf>& frfs, std::size_t channels) {
 }
 
 acquire::SignalInfo signal_of(const FrfArrays& arrays, std::size_t channel) {
-  acquire::SignalInfo signal{.name = "accel " + std::to_string(channel + 1)};
+  acquire::SignalInfo signal{.name = acquire::channel_name(channel)};
   if (!arrays.angle_rad.empty()) signal.angle_rad = arrays.angle_rad.at(channel);
   if (!arrays.position_m.empty()) signal.position_m = arrays.position_m.at(channel);
   return signal;

@@ -129,7 +129,7 @@ TEST(Calibrate, RefusesAStructureThatRings) {
     accel[i] = 40 * std::exp(-20 * t_s) * std::sin(2 * 3.14159265358979 * 600 * t_s);
   }
   const Record record = record_in_memory(kFs_Hz, {force}, {{accel}});
-  EXPECT_THAT(test::input_error_of([&] { calibrate(record, kMass_kg); }), testing::HasSubstr("no free mass"));
+  EXPECT_THAT(test::input_error_of([&] { calibrate(record, kMass_kg); }), testing::HasSubstr("the mass is not free"));
 }
 
 TEST(Calibrate, TakesAPulseAtTheVeryStartOrEnd) {

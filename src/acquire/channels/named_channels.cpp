@@ -11,7 +11,7 @@ namespace {
 
 bool is_force_name(const std::string& name) { return name == "force" || name == "/force"; }
 
-/// The channel, counted from 0, that a name or 1-based number stands for.
+// The channel, counted from 0, that a name or 1-based number stands for.
 std::optional<std::size_t> channel_named(std::string name, std::size_t channels) {
   if (name.starts_with('/')) name.erase(0, 1);
   if (name.starts_with("accel")) {
@@ -44,8 +44,6 @@ void check_setup(const ChannelSetup& entry, std::size_t channels, const std::str
 
 }  // namespace
 
-std::string channel_name(std::size_t index) { return "accel " + std::to_string(index + 1); }
-
 std::vector<std::size_t> chosen_channels(const ReadOptions& options, std::size_t channels, const std::string& path) {
   for (const ChannelSetup& entry : options.setup) check_setup(entry, channels, path);
   if (!options.force_channel.empty() && !is_force_name(options.force_channel)) {
@@ -54,9 +52,9 @@ std::vector<std::size_t> chosen_channels(const ReadOptions& options, std::size_t
   std::vector<std::size_t> chosen;
   for (const std::string& name : options.accel_channels) {
     const auto index = channel_named(name, channels);
-    if (!index) throw InputError("no acceleration channel " + name, path + ": /accel", names_of(channels));
+    if (!index) throw InputError("no acceleration channel " + name, path, names_of(channels));
     if (std::find(chosen.begin(), chosen.end(), *index) != chosen.end()) {
-      throw InputError("acceleration channel " + name + " requested twice", path + ": /accel", "name it once");
+      throw InputError("acceleration channel " + name + " requested twice", path, "name it once");
     }
     chosen.push_back(*index);
   }

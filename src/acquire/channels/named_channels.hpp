@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "acquire/record/channel_name.hpp"
 #include "acquire/record/record.hpp"
 
 namespace percuss::acquire {
@@ -18,8 +19,5 @@ std::vector<std::size_t> chosen_channels(const ReadOptions& options, std::size_t
 /// The set-up's entry for the force, or for acceleration channel `index` of `channels`; nullptr without one.
 const ChannelSetup* force_setup(const ReadOptions& options);
 const ChannelSetup* accel_setup(const ReadOptions& options, std::size_t index, std::size_t channels);
-
-/// "accel 1" for channel 0.
-std::string channel_name(std::size_t index);
 
 }  // namespace percuss::acquire

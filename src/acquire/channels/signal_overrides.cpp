@@ -9,22 +9,31 @@
 namespace percuss::acquire {
 namespace {
 
-/// The entry of a list with one value for all channels or one value per channel.
-std::optional<double> entry(const std::vector<double>& list, std::size_t index, std::size_t count,
-                            const OptionId& option) {
-  if (list.empty()) return std::nullopt;
-  if (list.size() == 1) return list.front();
-  if (list.size() == count) return list[index];
-  throw InputError(std::to_string(list.size()) + " values for " + std::to_string(count) + " acceleration channels",
-                   option, "give one for all or one per channel", {option});
+// The place of a channel among those that are read, and the name of the file.
+struct ListPlace {
+  std::size_t index, count;
+  const std::string& where;
+};
+
+[[noreturn]] void refuse_list(const std::vector<double>& list, const ListPlace& at, const char* remedy,
+                              const OptionId& option) {
+  throw InputError(std::to_string(list.size()) + " values for " + std::to_string(at.count) + " acceleration channels",
+                   at.where, remedy, {option});
 }
 
-/// As entry, for a quantity that differs between channels.
-std::optional<double> entry_of_each(const std::vector<double>& list, std::size_t index, std::size_t count,
-                                    const OptionId& option) {
-  if (list.empty() || list.size() == count) return list.empty() ? std::nullopt : std::optional(list[index]);
-  throw InputError(std::to_string(list.size()) + " values for " + std::to_string(count) + " acceleration channels",
-                   option, "give one per channel", {option});
+// The entry of a list with one value for all channels or one value per channel.
+std::optional<double> entry(const std::vector<double>& list, const ListPlace& at, const OptionId& option) {
+  if (list.empty()) return std::nullopt;
+  if (list.size() == 1) return list.front();
+  if (list.size() == at.count) return list[at.index];
+  refuse_list(list, at, "give one for all or one per channel", option);
+}
+
+// As entry, for a quantity that differs between channels.
+std::optional<double> entry_of_each(const std::vector<double>& list, const ListPlace& at, const OptionId& option) {
+  if (list.empty()) return std::nullopt;
+  if (list.size() == at.count) return list[at.index];
+  refuse_list(list, at, "give one per channel", option);
 }
 
 SignalOverrides from_setup(const ChannelSetup* setup) {
@@ -81,31 +90,41 @@ SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* 
 }
 
 SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* setup, std::size_t index,
-                                std::size_t count) {
+                                std::size_t count, const std::string& where) {
   SignalOverrides choice = from_setup(setup);
-  choice.scale = entry(options.accel_scale, index, count, "accel_scale");
+  const ListPlace at{index, count, where};
+  choice.scale = entry(options.accel_scale, at, "accel_scale");
   if (!options.accel_sensitivity_V_per_mps2.empty() && !options.pressure_sensitivity_V_per_Pa.empty()) {
-    throw InputError("sensitivities to accelerations and to pressures are both given", "pressure_sensitivity",
+    throw InputError("sensitivities to accelerations and to pressures are both given", where,
                      "give one of them, or describe the channels in a set-up file",
                      {"pressure_sensitivity", "accel_sensitivity", "setup"});
   }
-  if (const auto accel = entry(options.accel_sensitivity_V_per_mps2, index, count, "accel_sensitivity")) {
+  if (const auto accel = entry(options.accel_sensitivity_V_per_mps2, at, "accel_sensitivity")) {
     choice.sensitivity_V_per_SI = accel;
     choice.sensitivity_to = Quantity::acceleration;
   }
-  if (const auto pressure = entry(options.pressure_sensitivity_V_per_Pa, index, count, "pressure_sensitivity")) {
+  if (const auto pressure = entry(options.pressure_sensitivity_V_per_Pa, at, "pressure_sensitivity")) {
     choice.sensitivity_V_per_SI = pressure;
     choice.sensitivity_to = Quantity::pressure;
   }
   if (!options.accel_unit.empty()) choice.unit = options.accel_unit;
-  override_value(choice.angle_rad, entry_of_each(options.angle_rad, index, count, "angle"));
-  override_value(choice.position_m, entry(options.position_m, index, count, "position"));
+  override_value(choice.angle_rad, entry_of_each(options.angle_rad, at, "angle"));
+  override_value(choice.position_m, entry(options.position_m, at, "position"));
   return choice;
 }
 
+bool states_scale(const SignalInfo& signal, const SignalOverrides& choice) {
+  return !signal.unit.empty() || !choice.unit.empty() || choice.scale || choice.sensitivity_V_per_SI;
+}
+
+void mark_unit_assumed(SignalInfo& signal) {
+  signal.unit = si_name(signal.measures);
+  signal.unit_assumed = true;
+}
+
 void note_other_rate(const std::string& source, double file_Hz, double stated_Hz, std::vector<Message>& notes) {
-  constexpr double kSame = 0.01;
-  if (!(file_Hz > 0) || std::abs(file_Hz / stated_Hz - 1) <= kSame) return;
+  constexpr double kMaxRateDifference = 0.01;
+  if (!(file_Hz > 0) || std::abs(file_Hz / stated_Hz - 1) <= kMaxRateDifference) return;
   notes.emplace_back(fmt::format("{} gives {:.6g} Hz; the stated rate is used", source, file_Hz),
                      std::vector<OptionId>{"fs"});
 }

@@ -23,10 +23,17 @@ struct SignalOverrides {
 SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* setup);
 
 /// For acceleration channel `index` of the `count` that are read.
-/// errors  InputError: an option's list has neither one value (for all channels) nor `count` values, or sensitivities
-/// to accelerations and to pressures are both given. A list of angles needs `count` values.
+/// errors  InputError at `where`, the name of the file: an option's list has neither one value (for all channels) nor
+/// `count` values, or sensitivities to accelerations and to pressures are both given. A list of angles needs `count`
+/// values.
 SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* setup, std::size_t index,
-                                std::size_t count);
+                                std::size_t count, const std::string& where);
+
+/// Whether the file (signal.unit) or the user states the size of the stored numbers: a unit, scale or sensitivity.
+bool states_scale(const SignalInfo& signal, const SignalOverrides& choice);
+
+/// Sets the SI unit of signal.measures, as an assumption.
+void mark_unit_assumed(SignalInfo& signal);
 
 /// Notes that the user's sampling rate differs by more than 1 % from the rate of the file (0 or less: none). `source`:
 /// what gives the file's rate, "the column t_s".

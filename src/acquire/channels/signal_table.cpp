@@ -68,14 +68,9 @@ SignalInfo described_signal(const SignalTable& table, std::size_t index) {
 // Completes a signal without a stated unit: takes the scale of the file's own system of units, or assumes SI where the
 // file states none. Returns whether SI is assumed.
 bool complete_unit(const SignalInfo& signal, const TableSignal& stored, SignalOverrides& choice) {
-  if (!signal.unit.empty() || !choice.unit.empty() || choice.scale || choice.sensitivity_V_per_SI) return false;
+  if (states_scale(signal, choice)) return false;
   choice.scale = stored.to_SI;
   return !stored.to_SI;
-}
-
-void mark_assumed(SignalInfo& signal, const char* si_unit) {
-  signal.unit = si_unit;
-  signal.unit_assumed = true;
 }
 
 void describe_table(ScaledTable& open, const ReadOptions& options, Record& record) {
@@ -88,21 +83,22 @@ void describe_table(ScaledTable& open, const ReadOptions& options, Record& recor
     SignalOverrides choice = force_overrides(options, setup_of(force, options));
     const bool assumed = complete_unit(record.force, table.signals[open.roles.force], choice);
     apply_force_overrides(record.force, choice, place(record.force), record.notes);
-    if (assumed) mark_assumed(record.force, "N");
+    if (assumed) mark_unit_assumed(record.force);
     open.force_to_N = record.force.to_SI;
   }
   const std::size_t count = open.roles.accel.size();
   for (std::size_t c = 0; c < count; ++c) {
     const std::size_t index = open.roles.accel[c];
     SignalInfo signal = described_signal(table, index);
-    SignalOverrides choice = accel_overrides(options, setup_of(column_of(table, index), options), c, count);
+    SignalOverrides choice =
+        accel_overrides(options, setup_of(column_of(table, index), options), c, count, table_name(table));
     const bool stated_pressure = !record.has_force && signal.unit.empty() && choice.unit.empty() &&
                                  table.signals[index].measures == Quantity::pressure;
     const bool assumed = complete_unit(signal, table.signals[index], choice);
     const Quantity measures =
         stated_pressure ? Quantity::pressure : response_quantity(signal, choice, record.has_force);
     apply_overrides(signal, choice, measures, place(signal));
-    if (assumed) mark_assumed(signal, "m/s^2");
+    if (assumed) mark_unit_assumed(signal);
     open.accel_to_mps2.push_back(signal.to_SI);
     record.accel.push_back(std::move(signal));
   }

@@ -94,7 +94,7 @@ Frf accelerance_of(StoredFrf stored, const FrfRecord& record, double factor, con
 
 // Whether the phase rises with frequency where the FRFs are large. At a resonance it falls by π for exp(+jωt).
 bool phase_rises(const std::vector<PointFrf>& frfs) {
-  constexpr double kMostly = 0.5;
+  constexpr double kMinRisingShare = 0.5;
   double turned = 0, all = 0;
   for (const PointFrf& one : frfs) {
     const std::vector<Complex>& frf = one.frf.value;
@@ -104,7 +104,7 @@ bool phase_rises(const std::vector<PointFrf>& frfs) {
       all += std::abs(step);
     }
   }
-  return turned > kMostly * all;
+  return turned > kMinRisingShare * all;
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
   std::vector<SignalInfo> accel;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const ChannelSetup* setup = accel_setup(options.read, channels[i], record.accel.size());
-    const SignalOverrides choice = accel_overrides(options.read, setup, i, channels.size());
+    const SignalOverrides choice = accel_overrides(options.read, setup, i, channels.size(), where);
     SignalInfo signal = record.accel[channels[i]];
     signal.to_SI = choice.sign * response_factor(choice, stored, record.kind, where) / force_to_SI;
     if (!std::isfinite(signal.to_SI) || signal.to_SI == 0)

@@ -33,11 +33,13 @@ Message note_of(const std::vector<std::string>& names, const char* unit, const c
 void note_assumed_units(Record& record) {
   if (record.has_force && record.force.unit_assumed)
     record.notes.push_back(note_of({one_line(record.force.name, 40)}, "N", "force_unit"));
-  std::vector<std::string> names;
-  for (const SignalInfo& signal : record.accel) {
-    if (signal.unit_assumed) names.push_back(one_line(signal.name, 40));
+  for (const char* const unit : {"m/s^2", "Pa"}) {
+    std::vector<std::string> names;
+    for (const SignalInfo& signal : record.accel) {
+      if (signal.unit_assumed && signal.unit == unit) names.push_back(one_line(signal.name, 40));
+    }
+    if (!names.empty()) record.notes.push_back(note_of(names, unit, "unit"));
   }
-  if (!names.empty()) record.notes.push_back(note_of(names, "m/s^2", "unit"));
 }
 
 }  // namespace percuss::acquire

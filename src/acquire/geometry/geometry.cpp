@@ -8,6 +8,7 @@
 
 #include "acquire/geometry/geometry_columns.hpp"
 #include "acquire/geometry/geometry_connections.hpp"
+#include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/io/csv_dialect.hpp"
 #include "core/io/csv_header.hpp"
@@ -72,7 +73,9 @@ class Row {
 
   int point(const GeometryColumns& columns) const {
     const double value = number(columns, kPoint);
-    if (value >= 0 && value <= 1e9 && std::rint(value) == value) return static_cast<int>(value);
+    if (std::abs(value) <= static_cast<double>(kMaxPointNumber) && std::rint(value) == value &&
+        is_point_number(static_cast<std::int64_t>(value)))
+      return static_cast<int>(value);
     throw InputError(fmt::format("{:g} is not a point number", value), where_,
                      "number points as the records do, from 0");
   }
@@ -112,7 +115,7 @@ CsvDialect dialect_of(const std::vector<Line>& lines, char line_end) {
 
 Geometry parse_geometry(std::string_view text, const std::string& where) {
   if (text.size() > kMaxGeometry_bytes) throw InputError("longer than 16 MiB", where, "keep one line per point");
-  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
+  text = without_byte_order_mark(text);
   if (text.find('\0') != std::string_view::npos)
     throw InputError("not a text file", where, kGeometryRemedy, {"survey.example"});
   const char line_end = find_line_end(text);

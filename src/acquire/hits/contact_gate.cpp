@@ -12,12 +12,12 @@ namespace {
 
 // A hammer rings for some milliseconds, a structure for longer.
 constexpr double kRingsFrom_s = 0.025, kRingsTo_s = 0.05;
-constexpr double kRingsOn = 0.03;            // of the peak: median of |force − its median|
+constexpr double kMaxRinging = 0.03;         // of the peak: median of |force − its median|
 constexpr std::size_t kMinRinging = 16;      // samples
 constexpr std::size_t kMedianSamples = 200;  // give a median of noise to 9 % of its standard deviation
 // Of the peak: change of the force from before the pulse to after it. A hammer that leans on the structure exceeds this
 // limit, a drift of the channel does not.
-constexpr double kStays = 0.1;
+constexpr double kMaxLevelChange = 0.1;
 // Of the peak, against the pulse: an AC coupling of 1.6 Hz swings back by 5 % after a haversine of 10 ms, and by 20 %
 // after one of 40 ms.
 constexpr double kMaxUndershoot = 0.25;
@@ -76,7 +76,7 @@ void grade_lasting_force(Hit& hit, std::span<const double> x, std::size_t peak, 
   for (double& value : sizes) value = std::abs(value - middle);
   const double rings = median(std::move(sizes)) / std::abs(x[peak]);
   const double level = level_after(x.first(hit.gate_first - hit.first), middle, x[peak]);
-  if (rings < kRingsOn && level < kStays && level > -kMaxUndershoot) return;
+  if (rings < kMaxRinging && level < kMaxLevelChange && level > -kMaxUndershoot) return;
   const double ratio = std::max(rings, std::abs(level));
   hit.findings.push_back(
       {.code = FindingCode::no_pulse,

@@ -46,6 +46,10 @@ const char* name_of(Severity severity) {
   return "";
 }
 
+bool has_finding(const std::vector<Finding>& findings, FindingCode code) {
+  return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) { return finding.code == code; });
+}
+
 bool rejects(const std::vector<Finding>& findings) {
   return std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.severity == Severity::reject; });
 }

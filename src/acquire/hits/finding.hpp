@@ -38,6 +38,9 @@ struct Finding {
 const char* name_of(FindingCode code);
 const char* name_of(Severity severity);
 
+/// Whether one of the findings has this code.
+bool has_finding(const std::vector<Finding>& findings, FindingCode code);
+
 /// Whether one of the findings has Severity::reject.
 bool rejects(const std::vector<Finding>& findings);
 

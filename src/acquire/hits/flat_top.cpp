@@ -25,7 +25,7 @@ constexpr double kMaxFlatness = 0.54;
 // kFlatterThanOthers: due to the filter, a change of the length by a tenth changes the flatness by 0.04.
 constexpr double kShortPulse = 8;  // samples above 30 % of the peak
 constexpr double kMaxShortFlatness = 0.58, kFlatterThanOthers = 0.07, kAlikeLength = 0.15;
-constexpr std::size_t kOthers = 2;
+constexpr std::size_t kMinOthers = 2;
 constexpr double kHigh = 0.8, kLow = 0.3;  // of the peak
 // Of the peak. A flank is cut off where one of two neighbouring samples exceeds kFlank and the other is below kNothing.
 constexpr double kFlank = 0.2, kNothing = 0.01;
@@ -141,11 +141,6 @@ bool holds_its_peak(const Hit& hit) {
   return hit.peak >= hit.gate_first && hit.peak - hit.gate_first < hit.gated_N.size();
 }
 
-bool has_overload(const Hit& hit) {
-  return std::any_of(hit.findings.begin(), hit.findings.end(),
-                     [](const Finding& f) { return f.code == FindingCode::overload; });
-}
-
 struct PulseTop {
   double flatness = 0;
   double length = 0;  // samples above 30 % of the peak
@@ -162,8 +157,8 @@ PulseTop top_of(const std::vector<double>& pulse) {
 }
 
 std::optional<PulseTop> top_of(const Hit& hit) {
-  if (!holds_its_peak(hit) || std::abs(hit.peak_N) < kMinSignal * hit.noise_N || has_overload(hit) ||
-      has_cut_flank(hit))
+  if (!holds_its_peak(hit) || std::abs(hit.peak_N) < kMinSignal * hit.noise_N ||
+      has_finding(hit.findings, FindingCode::overload) || has_cut_flank(hit))
     return std::nullopt;
   const std::vector<double> pulse = pulse_of(hit);
   if (is_aliased(pulse, hit.noise_N)) return std::nullopt;
@@ -177,7 +172,7 @@ bool is_flatter_than_others(const PulseTop& top, const std::vector<std::optional
     if (other && other->flatness <= kMaxFlatness && std::abs(other->length - top.length) < kAlikeLength * top.length)
       others.push_back(other->flatness);
   }
-  if (others.size() < kOthers) return false;
+  if (others.size() < kMinOthers) return false;
   return top.flatness > median(std::move(others)) + kFlatterThanOthers;
 }
 

@@ -13,11 +13,6 @@ constexpr double kRounding = 1e-12;  // of the peak: the baseline was subtracted
 // Different hits with equal peaks. By chance, the probability at 16 bits is 1e-7 for three hits and 1e-3 for two.
 constexpr std::size_t kMinCoincidingPeaks = 3;
 
-bool overloaded(const Hit& hit) {
-  return std::any_of(hit.findings.begin(), hit.findings.end(),
-                     [](const Finding& f) { return f.code == FindingCode::overload; });
-}
-
 // With the baseline, as recorded.
 double raw_peak_N(const Hit& hit) { return hit.peak_N + hit.baseline_N; }
 
@@ -62,7 +57,7 @@ std::optional<double> clipping_level_N(const std::vector<Hit>& hits, const Recor
     if (!side.includes(hit, record)) continue;
     const double peak = raw_peak_N(hit);
     if (!furthest || side.sign * (peak - *furthest) > 0) furthest = peak;
-    if (overloaded(hit) && (!level || side.sign * (peak - *level) > 0)) level = peak;
+    if (has_finding(hit.findings, FindingCode::overload) && (!level || side.sign * (peak - *level) > 0)) level = peak;
   }
   if (level && same(*level, *furthest)) return level;
   std::vector<const Hit*> highest;
@@ -90,7 +85,9 @@ void grade_force_clipping(std::vector<Hit>& hits, const Record& record) {
       const auto level = clipping_level_N(hits, record, side);
       if (!level) continue;
       for (Hit& hit : hits) {
-        if (side.includes(hit, record) && !overloaded(hit) && same(raw_peak_N(hit), *level)) add_overload(hit);
+        if (side.includes(hit, record) && !has_finding(hit.findings, FindingCode::overload) &&
+            same(raw_peak_N(hit), *level))
+          add_overload(hit);
       }
     }
   }

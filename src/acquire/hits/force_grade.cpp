@@ -36,8 +36,7 @@ void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse, b
     hit.findings.push_back({.code = FindingCode::overload,
                             .severity = Severity::reject,
                             .value = static_cast<double>(clipped),
-                            .message = fmt::format("force clipped in {} sample{}; raise the input range", clipped,
-                                                   clipped == 1 ? "" : "s")});
+                            .message = fmt::format("force clipped in {} samples; raise the input range", clipped)});
   }
   if (hit.peak_N < 0) {
     hit.findings.push_back({.code = FindingCode::polarity,

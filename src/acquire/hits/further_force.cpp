@@ -24,7 +24,6 @@ constexpr double kTwoSigned = 0.5;      // pull over push; a push beside a deepe
 constexpr double kRingingReach = 2;     // pulse lengths around a push in which ringing pulls
 constexpr double kPushOverDip = 1.5;    // times the deepest dip; a smaller push is noise
 constexpr double kSoft = 3;             // times the length of the main pulse: softer than a contact of this hammer
-constexpr double kSpike = 0.5;          // of the length of the main pulse
 constexpr double kSpikeNoise = 10;      // standard deviations at which the length of a push can be measured
 constexpr double kGateReach = 1.25;     // pulse lengths on either side of a contact's peak
 constexpr std::size_t kSpreadSamples = 1024;
@@ -50,9 +49,8 @@ class ForceSearch {
 
   // Whether no force beside the pulse can exceed the noise.
   bool quiet() const {
-    const double lowest = noise_N_ / std::sqrt(static_cast<double>(2 * half_ + 1));
     return largest_outside(force_, pulse_, guard_) <
-           std::max(kNoise * lowest, kMinFraction * std::abs(force_[pulse_.peak]) / 2);
+           std::max(kNoise * white_noise_N(), kMinFraction * std::abs(force_[pulse_.peak]) / 2);
   }
 
   FurtherForce find(const Gate& pulse_gate, std::size_t max_tail) {
@@ -125,7 +123,7 @@ class ForceSearch {
     for (std::size_t n = 0; n + begin < end; ++n) {
       const std::size_t i = forward ? begin + n : end - 1 - n;
       if (rising && x_[i] < floor + (x_[top] - floor) / 2) {
-        judge(out, top, floor);
+        classify_push(out, top, floor);
         rising = false;
         valley = x_[i];
       }
@@ -140,10 +138,10 @@ class ForceSearch {
       top = i;
       rising = true;
     }
-    if (rising) judge(out, top, floor);
+    if (rising) classify_push(out, top, floor);
   }
 
-  void judge(FurtherForce& out, std::size_t top, double floor) const {
+  void classify_push(FurtherForce& out, std::size_t top, double floor) const {
     const double rise = x_[top] - floor;
     if (pulls_beside(top, rise)) return;
     const auto [first, end] = above(x_, 1, top, x_[top] - rise / 2);
@@ -151,14 +149,14 @@ class ForceSearch {
     if (length > kSoft * length_ + 2) {
       extend_by_tail(out, first, end);
     } else if (top >= out.end || top < pulse_.peak || rise > kTailFraction * main_ ||
-               rise > kStandsOut * before(first)) {
+               rise > kStandsOut * tail_force_before(first)) {
       out.contacts.push_back(contact(top, rise));
     }
   }
 
   // The largest force of the tail just before a push that begins at `first`: within kTailBefore pulse lengths, and
   // after the pulse.
-  double before(std::size_t first) const {
+  double tail_force_before(std::size_t first) const {
     const auto guard = static_cast<std::size_t>(guard_);
     const std::size_t end = first - std::min(first, guard / 2);
     const std::size_t begin =
@@ -224,7 +222,7 @@ class ForceSearch {
   bool is_spike(std::size_t peak) const {
     const double height = std::abs(force_[peak]);
     if (height < kSpikeNoise * noise_N_) return false;
-    return width_at_half_peak(force_, sign_, peak) < kSpike * width_at_half_peak(force_, sign_, pulse_.peak);
+    return width_at_half_peak(force_, sign_, peak) < kMaxSpikeLength * width_at_half_peak(force_, sign_, pulse_.peak);
   }
 
   Gate gate_of(std::size_t peak) const {
@@ -249,14 +247,6 @@ FurtherForce further_force(std::span<const double> force_N, const PulseShape& pu
   ForceSearch search(force_N, pulse, noise_N);
   if (search.quiet()) return {.end = pulse_gate.end, .contacts = {}};
   return search.find(pulse_gate, options.max_tail);
-}
-
-std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const PulseShape& pulse, double noise_N) {
-  const FurtherForce found = further_force(force_N, pulse, gate_around(force_N, pulse, noise_N), noise_N);
-  const auto largest = std::max_element(found.contacts.begin(), found.contacts.end(),
-                                        [](const SecondPulse& a, const SecondPulse& b) { return a.ratio < b.ratio; });
-  if (largest == found.contacts.end()) return std::nullopt;
-  return *largest;
 }
 
 }  // namespace percuss::acquire

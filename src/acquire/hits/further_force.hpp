@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,11 +7,14 @@
 
 namespace percuss::acquire {
 
+/// A push that is shorter, relative to the main pulse, is a spike: not this hammer.
+inline constexpr double kMaxSpikeLength = 0.5;
+
 /// A further contact of the hammer: one push of the main pulse's sign and about its length.
 struct SecondPulse {
   double delay_samples = 0;  // negative: before the main pulse
   double ratio = 0;          // its height over the main pulse's, both smoothed
-  bool spike = false;        // shorter than half the main pulse: not this hammer
+  bool spike = false;        // see kMaxSpikeLength
   Gate gate;
 };
 
@@ -33,8 +35,5 @@ struct FurtherForceOptions {
 /// `pulse_gate` is gate_around of the pulse.
 FurtherForce further_force(std::span<const double> force_N, const PulseShape& pulse, const Gate& pulse_gate,
                            double noise_N, const FurtherForceOptions& options = {});
-
-/// The largest further contact.
-std::optional<SecondPulse> second_pulse(std::span<const double> force_N, const PulseShape& pulse, double noise_N);
 
 }  // namespace percuss::acquire

@@ -124,7 +124,8 @@ std::size_t end_of_scan(const TriggerScan& scan, const Record& record, std::size
   });
   if (main == contacts.end()) return end;
   for (const Contact& contact : contacts) {
-    const bool is_blow = contact.size_N >= kMaxSecondContact * scan.largest_N && contact.length >= 0.5 * main->length;
+    const bool is_blow =
+        contact.size_N >= kMaxSecondContact * scan.largest_N && contact.length >= kMaxSpikeLength * main->length;
     if (contact.peak >= end && is_blow) end = contact.peak + reach;
   }
   return end;
@@ -168,9 +169,10 @@ SampleRange range_of_contact(const std::vector<Contact>& contacts, std::size_t c
 }
 
 // The start of the search for a smaller hit before contact c. It leaves out the search range of the previous contact.
-std::size_t scan_begin(const std::vector<Contact>& contacts, std::size_t c, const SampleRange& part, std::size_t scan) {
-  const std::size_t free = c > 0 ? contacts[c - 1].peak + scan : part.first;
-  return std::max({part.first, free, contacts[c].peak > scan ? contacts[c].peak - scan : 0});
+std::size_t scan_begin(const std::vector<Contact>& contacts, std::size_t c, const SampleRange& part,
+                       std::size_t scan_samples) {
+  const std::size_t free = c > 0 ? contacts[c - 1].peak + scan_samples : part.first;
+  return std::max({part.first, free, contacts[c].peak > scan_samples ? contacts[c].peak - scan_samples : 0});
 }
 
 std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOptions& options) {
@@ -182,15 +184,15 @@ std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOpt
   std::vector<Hit> hits;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const SampleRange range = range_of_contact(contacts, c, part, length);
-    const std::size_t scan = samples_to_scan(record.fs_Hz);
-    const std::size_t begin = std::min(range.first, scan_begin(contacts, c, part, scan));
+    const std::size_t scan_samples = samples_to_scan(record.fs_Hz);
+    const std::size_t begin = std::min(range.first, scan_begin(contacts, c, part, scan_samples));
     const std::size_t end =
         options.gate_force ? std::min(range.last, contacts[c].peak + samples_to_read(record.fs_Hz)) : range.last;
     const auto all = force_between(record, row, begin, end, trigger_scan.baseline_N);
     const std::size_t peak = contacts[c].peak - range.first;
     Hit hit = unmeasured_hit(row, range, trigger_scan);
     const std::size_t offset = range.first - begin;
-    measure_and_grade_pulse(hit, all, offset + peak + scan, offset, peak, record.fs_Hz, options);
+    measure_and_grade_pulse(hit, all, offset + peak + scan_samples, offset, peak, record.fs_Hz, options);
     hits.push_back(std::move(hit));
   }
   if (hits.empty()) hits.push_back(hit_without_pulse(row, part, trigger_scan, options));

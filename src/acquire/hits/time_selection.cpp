@@ -42,8 +42,9 @@ std::optional<std::size_t> selected_length(const Record& record, const HitOption
   if (!options.length_s) return std::nullopt;
   const std::size_t samples = samples_in(*options.length_s, record.fs_Hz);
   if (samples > 1) return samples;
-  throw InputError(fmt::format("a length of {} s holds fewer than two samples", *options.length_s),
-                   fmt::format("{:.6g} Hz", record.fs_Hz), "choose a longer one", {"length"});
+  throw InputError(
+      fmt::format("a length of {} s holds fewer than two samples at {:.6g} Hz", *options.length_s, record.fs_Hz),
+      record.source(), "choose a longer one", {"length"});
 }
 
 }  // namespace percuss::acquire

@@ -47,10 +47,10 @@ Envelope envelope_of(const Record& record, std::size_t row, std::size_t first, s
     const std::size_t begin = first + c * size, end = std::min(begin + size, last);
     for (std::size_t at = begin; at < end; at += kPart) {
       const auto part = record.read_force_N.view_or_read(row, at, std::min(kPart, end - at), buffer);
-      const std::vector<Extremes> its_blocks = block_extremes(part, block);
-      blocks[c].insert(blocks[c].end(), its_blocks.begin(), its_blocks.end());
-      const std::size_t its_share = std::max<std::size_t>(1, kNoiseSamples * part.size() / (end - begin));
-      for (const double value : subsampled(part, its_share)) subset.push_back(value);
+      const std::vector<Extremes> part_blocks = block_extremes(part, block);
+      blocks[c].insert(blocks[c].end(), part_blocks.begin(), part_blocks.end());
+      const std::size_t part_samples = std::max<std::size_t>(1, kNoiseSamples * part.size() / (end - begin));
+      for (const double value : subsampled(part, part_samples)) subset.push_back(value);
     }
     const Spread spread = spread_of(std::move(subset));
     envelope.chunk_median[c] = spread.median;

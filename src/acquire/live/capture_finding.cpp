@@ -14,24 +14,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct FaultWords {
+struct FaultName {
   CaptureFault fault;
   const char* name;
 };
 
-constexpr std::array kFaultWords = {
-    FaultWords{CaptureFault::gap, "gap"},
-    FaultWords{CaptureFault::overrun, "overrun"},
-    FaultWords{CaptureFault::dropped, "dropped"},
-    FaultWords{CaptureFault::not_in_journal, "not_in_journal"},
-    FaultWords{CaptureFault::journal_failed, "journal_failed"},
-    FaultWords{CaptureFault::clock_drift, "clock_drift"},
-    FaultWords{CaptureFault::not_a_number, "not_a_number"},
-    FaultWords{CaptureFault::overload, "overload"},
-    FaultWords{CaptureFault::unplugged, "unplugged"},
-    FaultWords{CaptureFault::rate_changed, "rate_changed"},
-    FaultWords{CaptureFault::failed, "failed"},
-    FaultWords{CaptureFault::resumed, "resumed"},
+constexpr std::array kFaultNames = {
+    FaultName{CaptureFault::gap, "gap"},
+    FaultName{CaptureFault::overrun, "overrun"},
+    FaultName{CaptureFault::dropped, "dropped"},
+    FaultName{CaptureFault::not_in_journal, "not_in_journal"},
+    FaultName{CaptureFault::journal_failed, "journal_failed"},
+    FaultName{CaptureFault::clock_drift, "clock_drift"},
+    FaultName{CaptureFault::not_a_number, "not_a_number"},
+    FaultName{CaptureFault::overload, "overload"},
+    FaultName{CaptureFault::unplugged, "unplugged"},
+    FaultName{CaptureFault::rate_changed, "rate_changed"},
+    FaultName{CaptureFault::failed, "failed"},
+    FaultName{CaptureFault::resumed, "resumed"},
 };
 
 std::string channel_text(const CaptureFinding& finding) {
@@ -49,7 +49,7 @@ Value value_or(const nlohmann::json& json, const char* key, Value absent) {
 }  // namespace
 
 const char* fault_name(CaptureFault fault) {
-  return std::find_if(kFaultWords.begin(), kFaultWords.end(), [&](const FaultWords& w) { return w.fault == fault; })
+  return std::find_if(kFaultNames.begin(), kFaultNames.end(), [&](const FaultName& w) { return w.fault == fault; })
       ->name;
 }
 
@@ -98,10 +98,10 @@ CaptureFinding parse_finding(const std::string& text, const std::string& where) 
       {.text = text, .where = where, .remedy = "the file is not a journal of this version", .max_depth = 1});
   try {
     const auto name = json.at("fault").get<std::string>();
-    const auto* const words =
-        std::find_if(kFaultWords.begin(), kFaultWords.end(), [&](const FaultWords& w) { return w.name == name; });
-    if (words == kFaultWords.end()) throw InputError("an unknown finding", where, "use a newer version");
-    CaptureFinding finding{.fault = words->fault};
+    const auto* const found =
+        std::find_if(kFaultNames.begin(), kFaultNames.end(), [&](const FaultName& w) { return w.name == name; });
+    if (found == kFaultNames.end()) throw InputError("an unknown finding", where, "use a newer version");
+    CaptureFinding finding{.fault = found->fault};
     finding.frame = value_or<std::uint64_t>(json, "frame", 0);
     finding.count = value_or<std::uint64_t>(json, "count", 0);
     if (json.contains("channel")) finding.channel = json["channel"].get<std::size_t>();

@@ -12,7 +12,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "samples of pipes are little-endian");
 
-struct EncodingWords {
+struct EncodingTraits {
   std::string_view name;
   PcmEncoding encoding;
   std::size_t bytes;
@@ -20,14 +20,14 @@ struct EncodingWords {
 };
 
 constexpr std::array kEncodings = {
-    EncodingWords{"s16", PcmEncoding::s16, 2, SampleType::int32},
-    EncodingWords{"s24", PcmEncoding::s24, 3, SampleType::int32},
-    EncodingWords{"s32", PcmEncoding::s32, 4, SampleType::int32},
-    EncodingWords{"f32", PcmEncoding::f32, 4, SampleType::float32},
-    EncodingWords{"f64", PcmEncoding::f64, 8, SampleType::float64},
+    EncodingTraits{"s16", PcmEncoding::s16, 2, SampleType::int32},
+    EncodingTraits{"s24", PcmEncoding::s24, 3, SampleType::int32},
+    EncodingTraits{"s32", PcmEncoding::s32, 4, SampleType::int32},
+    EncodingTraits{"f32", PcmEncoding::f32, 4, SampleType::float32},
+    EncodingTraits{"f64", PcmEncoding::f64, 8, SampleType::float64},
 };
 
-const EncodingWords& words_of(PcmEncoding encoding) { return kEncodings[static_cast<std::size_t>(encoding)]; }
+const EncodingTraits& traits_of(PcmEncoding encoding) { return kEncodings[static_cast<std::size_t>(encoding)]; }
 
 // The bytes become the highest ones of a 32-bit number.
 void widen(std::size_t sample_bytes, std::span<const std::byte> bytes, std::vector<std::byte>& out) {
@@ -40,15 +40,15 @@ void widen(std::size_t sample_bytes, std::span<const std::byte> bytes, std::vect
 }  // namespace
 
 PcmEncoding pcm_encoding(std::string_view name) {
-  for (const EncodingWords& words : kEncodings) {
-    if (words.name == name) return words.encoding;
+  for (const EncodingTraits& traits : kEncodings) {
+    if (traits.name == name) return traits.encoding;
   }
   throw InputError("an unknown encoding of samples", one_line(name), "use s16, s24, s32, f32 or f64", {"device"});
 }
 
-std::size_t pcm_bytes(PcmEncoding encoding) { return words_of(encoding).bytes; }
+std::size_t pcm_bytes(PcmEncoding encoding) { return traits_of(encoding).bytes; }
 
-SampleType pcm_type(PcmEncoding encoding) { return words_of(encoding).type; }
+SampleType pcm_type(PcmEncoding encoding) { return traits_of(encoding).type; }
 
 void decode_pcm(PcmEncoding encoding, std::span<const std::byte> bytes, std::vector<std::byte>& out) {
   if (pcm_type(encoding) == SampleType::int32) return widen(pcm_bytes(encoding), bytes, out);

@@ -26,7 +26,7 @@ constexpr int kPipePoll_ms = 50;
 constexpr std::size_t kPipePiece_bytes = std::size_t{1} << 16U;
 constexpr std::chrono::seconds kHeaderPatience{10};
 
-/// The bytes that are there, at most out.size(). 0: none came in time. Negative: the end, or a failure.
+// The bytes that are there, at most out.size(). 0: none came in time. Negative: the end, or a failure.
 ssize_t read_available(int descriptor, std::span<std::byte> out) {
   pollfd ready{.fd = descriptor, .events = POLLIN, .revents = 0};
   if (::poll(&ready, 1, kPipePoll_ms) <= 0) return 0;

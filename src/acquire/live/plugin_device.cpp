@@ -26,7 +26,7 @@ constexpr std::uint64_t kMaxPluginFrame = std::uint64_t{1} << 60U;
 constexpr std::size_t kTable_bytes = offsetof(percuss_device_plugin, close) + sizeof(percuss_device_plugin::close);
 constexpr std::size_t kFormat_bytes = offsetof(percuss_device_format, units) + sizeof(percuss_device_format::units);
 
-/// A loaded library. It stays loaded until the device is closed.
+// A loaded library. It stays loaded until the device is closed.
 class Library {
  public:
   explicit Library(const std::string& path) : handle_(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) {

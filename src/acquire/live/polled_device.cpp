@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::chrono::microseconds kWaitForRoom{300};
 
-/// Passes everything on, and notes the end.
+// Passes everything on, and notes the end.
 class NotingSink final : public FrameSink {
  public:
   explicit NotingSink(FrameSink& sink) : sink_(sink) {}

@@ -7,6 +7,9 @@
 
 namespace percuss::acquire {
 
+/// The largest number of averages that a file may state.
+inline constexpr double kMaxAverages = 1e9;
+
 /// The accelerance between one impact point and one response channel, averaged over hits.
 struct Frf {
   std::vector<Complex> value;     // (m/s²)/N

@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "acquire/record/channel_name.hpp"
 #include "core/error.hpp"
 
 namespace percuss::acquire {
@@ -91,7 +92,7 @@ Record record_in_memory(double fs_Hz, std::vector<std::vector<double>> force_N,
   record.force.name = "force";
   for (const auto& row : force_N) record.rows.push_back({.samples = row.size()});
   for (std::size_t c = 0; !accel_mps2.empty() && c < accel_mps2.front().size(); ++c) {
-    record.accel.push_back({.name = "accel " + std::to_string(c + 1), .unit = "m/s^2"});
+    record.accel.push_back({.name = channel_name(c), .unit = "m/s^2"});
   }
   const auto copy = [](const std::vector<double>& from, std::size_t first, std::span<double> out) {
     std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "acquire/record/channel_name.hpp"
+
 namespace percuss::acquire {
 
 void add_lost_lines(const std::vector<TraceLine>& lines, std::size_t kept, std::vector<std::string>& losses) {
@@ -25,7 +27,7 @@ void add_lost_quantities(const Record& record, std::vector<std::string>& losses)
 
 void add_lost_names(const Record& record, std::vector<std::string>& losses) {
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
-    if (record.accel[c].name == "accel " + std::to_string(c + 1)) continue;
+    if (record.accel[c].name == channel_name(c)) continue;
     losses.emplace_back("the channels' names");
     return;
   }

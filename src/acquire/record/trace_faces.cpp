@@ -30,7 +30,7 @@ std::vector<TraceFace> trace_faces_of(const FaceTable& table, std::size_t points
     for (std::size_t i = first; i < first + table.width; ++i) {
       const double number = table.numbers[i];
       const bool empty = std::isnan(number) || number == kNoCorner;
-      if (ended && !empty) throw InputError("a corner behind a missing one", where, "store -1 behind the last corner");
+      if (ended && !empty) throw InputError("a corner after a missing one", where, "store -1 after the last corner");
       ended = empty;
       if (!empty) face.push_back(geometry_point(number, points, "face", where));
     }

@@ -12,7 +12,7 @@ namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kDescriptor_bytes = sizeof(ReaderDescriptors);
-constexpr std::size_t kLongestPath = PATH_MAX;
+constexpr std::size_t kMaxPath_bytes = PATH_MAX;
 
 // The arguments of sendmsg and recvmsg, with room for the descriptors.
 struct SocketMessage {
@@ -36,7 +36,7 @@ struct SocketMessage {
 }  // namespace
 
 bool send_fork_request(int socket, const ForkRequest& request) {
-  if (request.path.size() > kLongestPath) return false;
+  if (request.path.size() > kMaxPath_bytes) return false;
   ForkRequest copy = request;
   SocketMessage message(copy.command, copy.path.data(), copy.path.size());
   if (copy.descriptors.socket >= 0) {
@@ -51,7 +51,7 @@ bool send_fork_request(int socket, const ForkRequest& request) {
 }
 
 std::optional<ForkRequest> receive_fork_request(int socket) {
-  ForkRequest request{.command = {}, .path = std::string(kLongestPath, '\0')};
+  ForkRequest request{.command = {}, .path = std::string(kMaxPath_bytes, '\0')};
   SocketMessage message(request.command, request.path.data(), request.path.size());
   message.attach_control_buffer();
   ssize_t got = -1;

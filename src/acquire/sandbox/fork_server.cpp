@@ -32,8 +32,8 @@ ForkServer::ForkServer(const Open& open) {
   descriptor_ = paired ? ends[0] : -1;
   if (process_ > 0) return;
   if (paired) ::close(descriptor_);
-  throw MachineFault("cannot start a process that reads files", "batch", "close other programs, or trust the input",
-                     {"trust_input"});
+  throw MachineFault("cannot start a process", "reading files in child processes",
+                     "close other programs, or trust the input", {"trust_input"});
 }
 
 ForkServer::~ForkServer() {

@@ -105,6 +105,11 @@ bool is_zero_padded(std::string_view cell) {
 
 }  // namespace
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
 std::string_view take_line(std::string_view& rest, char line_end) {
   if (rest.empty()) return {};
   const auto* end = static_cast<const char*>(std::memchr(rest.data(), line_end, rest.size()));

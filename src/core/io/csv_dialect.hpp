@@ -15,6 +15,9 @@ struct CsvDialect {
   char line_end = '\n';  // '\r' for files of old Macintoshes; "\r\n" is '\n', and the '\r' is removed
 };
 
+/// The text after the byte-order mark of UTF-8, if it begins with one.
+std::string_view without_byte_order_mark(std::string_view text);
+
 /// Removes the next line from `rest` and returns it without its end. Empty when `rest` is.
 std::string_view take_line(std::string_view& rest, char line_end);
 

@@ -62,9 +62,8 @@ CsvDialect table_dialect(std::string_view names) {
 }  // namespace
 
 std::string json_from_table(const JsonText& input, StrictSource& source) {
-  std::string_view text = input.text;
+  std::string_view text = without_byte_order_mark(input.text);
   if (text.size() > kMaxStrictTable_bytes) throw InputError("longer than 16 MiB", input.where, "split the file");
-  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
   if (text.find('\0') != std::string_view::npos)
     throw InputError("this is not text", input.where, input.remedy, input.options);
   json document = json::object();

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "core/error.hpp"
+#include "core/io/csv_dialect.hpp"
 #include "core/io/csv_header.hpp"
 #include "core/io/input_file.hpp"
 #include "report/text/digest.hpp"
@@ -95,7 +96,7 @@ void check_svg(std::string_view bytes, const std::string& where) {
 
 // The text after a byte-order mark, blanks, an XML declaration and comments.
 std::string_view first_element(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = without_byte_order_mark(text);
   while (true) {
     const std::size_t at = text.find_first_not_of(" \t\r\n");
     if (at == std::string_view::npos) return {};

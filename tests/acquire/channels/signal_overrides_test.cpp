@@ -73,13 +73,13 @@ TEST(SignalOverrides, TakesPressuresFromSensitivities) {
               HasSubstr("a sensitivity to pressure"));
   EXPECT_THAT(input_error_of([] { applied({.sensitivity_V_per_SI = 0.01}, Quantity::pressure, "Pa"); }),
               HasSubstr("sensitivity"));
-  EXPECT_EQ(accel_overrides({.pressure_sensitivity_V_per_Pa = {0.05}}, nullptr, 1, 2).sensitivity_to,
+  EXPECT_EQ(accel_overrides({.pressure_sensitivity_V_per_Pa = {0.05}}, nullptr, 1, 2, "f").sensitivity_to,
             Quantity::pressure);
   EXPECT_THAT(input_error_of([] {
                 accel_overrides({.accel_sensitivity_V_per_mps2 = {1}, .pressure_sensitivity_V_per_Pa = {1}}, nullptr, 0,
-                                1);
+                                1, "x.csv");
               }),
-              HasSubstr("both given"));
+              HasSubstr("both given (x.csv)"));
 }
 
 TEST(SignalOverrides, PrefersAScaleToUnitAndSensitivity) {
@@ -98,23 +98,24 @@ TEST(SignalOverrides, PrefersOptionsToTheSetup) {
   const ChannelSetup setup{.sign = -1, .angle_rad = 0.5, .sensitivity_V_per_SI = 2, .unit = "V"};
   const ReadOptions options{
       .accel_sensitivity_V_per_mps2 = {3, 4}, .accel_unit = "mV", .angle_rad = {1, 2}, .position_m = {0.25}};
-  const SignalOverrides choice = accel_overrides(options, &setup, 1, 2);
+  const SignalOverrides choice = accel_overrides(options, &setup, 1, 2, "f");
   EXPECT_EQ(choice.sensitivity_V_per_SI, 4);
   EXPECT_EQ(choice.unit, "mV");
   EXPECT_EQ(choice.sign, -1);
   EXPECT_EQ(choice.angle_rad, 2);
   EXPECT_EQ(choice.position_m, 0.25);
-  EXPECT_EQ(accel_overrides({}, &setup, 1, 2).angle_rad, 0.5);
+  EXPECT_EQ(accel_overrides({}, &setup, 1, 2, "f").angle_rad, 0.5);
   EXPECT_EQ(force_overrides({.force_unit = "lbf"}, &setup).unit, "lbf");
   EXPECT_EQ(force_overrides({}, nullptr).sign, 1);
 }
 
 TEST(SignalOverrides, RefusesListsOfAnotherLength) {
   EXPECT_THAT(input_error_of([] {
-                accel_overrides({.accel_scale = {1, 2, 3}}, nullptr, 0, 2);
+                accel_overrides({.accel_scale = {1, 2, 3}}, nullptr, 0, 2, "x.csv");
               }),
-              HasSubstr("3 values"));
-  EXPECT_THAT(input_error_of([] { accel_overrides({.angle_rad = {1}}, nullptr, 0, 2); }), HasSubstr("one per channel"));
+              HasSubstr("3 values for 2 acceleration channels (x.csv)"));
+  EXPECT_THAT(input_error_of([] { accel_overrides({.angle_rad = {1}}, nullptr, 0, 2, "f"); }),
+              HasSubstr("1 values for 2 acceleration channels (f); give one per channel"));
 }
 
 }  // namespace percuss::acquire::signal_overrides_test

@@ -20,6 +20,20 @@ TEST(FindRoles, FollowsTheUnitOfArrays) {
   EXPECT_THAT(roles.accel, ElementsAre(1U));
 }
 
+// A file may state that a signal is a pressure without stating its unit.
+TEST(RecordOfTable, AssumesTheSiUnitOfTheQuantity) {
+  SignalTable table{.fs_Hz = 1000,
+                    .format = "UFF",
+                    .signals = {{.name = "tip"}, {.name = "mic", .measures = Quantity::pressure}},
+                    .rows = {{.samples = 4}},
+                    .read = [](std::size_t, std::size_t, std::size_t, std::span<double>) {}};
+  const Record record = record_of_table(table, {.has_force = false, .accel = {0, 1}}, {.force_optional = true});
+  EXPECT_EQ(record.accel.at(0).unit, "m/s^2");
+  EXPECT_EQ(record.accel.at(1).unit, "Pa");
+  EXPECT_THAT(record.notes, testing::IsSupersetOf({Message("the unit of tip is not stated; taken as m/s^2", {"unit"}),
+                                                   Message("the unit of mic is not stated; taken as Pa", {"unit"})}));
+}
+
 TEST(FindRoles, ListsTheShapesOfArraysThatAreAmbiguous) {
   SignalTable table{
       .format = "MAT",

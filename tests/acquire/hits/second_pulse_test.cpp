@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include "acquire/hits/further_force.hpp"
 #include "support/force_row.hpp"
@@ -12,8 +14,13 @@ namespace percuss::acquire::second_pulse_test {
 
 constexpr std::size_t kSamples = 6000;
 
+/// The largest further contact.
 std::optional<SecondPulse> second_in(const std::vector<double>& x, double noise_N = 0) {
-  return second_pulse(x, shape_of_pulse(x, test::largest_sample(x)), noise_N);
+  const PulseShape pulse = shape_of_pulse(x, test::largest_sample(x));
+  const FurtherForce found = further_force(x, pulse, gate_around(x, pulse, noise_N), noise_N);
+  const auto largest = std::max_element(found.contacts.begin(), found.contacts.end(),
+                                        [](const SecondPulse& a, const SecondPulse& b) { return a.ratio < b.ratio; });
+  return largest == found.contacts.end() ? std::nullopt : std::optional(*largest);
 }
 
 /// Two pulses of one width in samples, the second `delay` after the first (before it, when negative).

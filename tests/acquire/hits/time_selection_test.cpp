@@ -47,7 +47,8 @@ TEST(PretriggerSamples, AreFiveMillisecondsAndAtLeast128) {
 TEST(SelectedLength, HasAtLeastTwoSamples) {
   EXPECT_EQ(selected_length(record(), {}), std::nullopt);
   EXPECT_EQ(selected_length(record(), {.length_s = 0.1}), 100U);
-  EXPECT_THAT(input_error_of([] { selected_length(record(), {.length_s = 0.001}); }), HasSubstr("two samples"));
+  EXPECT_THAT(input_error_of([] { selected_length(record(), {.length_s = 0.001}); }),
+              HasSubstr("fewer than two samples at 1000 Hz (memory)"));
 }
 
 }  // namespace percuss::acquire::time_selection_test

@@ -11,9 +11,9 @@
 namespace percuss::acquire::hdf5 {
 namespace {
 
-constexpr std::size_t kTextBytes = 4096;  // longer texts are not units
+constexpr std::size_t kMaxText_bytes = 4096;  // longer texts are not units
 
-/// The attribute; invalid when the object does not have it.
+// The attribute; invalid when the object does not have it.
 Handle open_attribute(hid_t object, const std::string& name, const std::string& where) {
   if (H5Aexists(object, name.c_str()) == 0) return Handle();
   Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT));
@@ -27,7 +27,7 @@ std::size_t element_count(const Handle& attribute) {
   return count > 0 ? static_cast<std::size_t>(count) : 0;
 }
 
-/// Text as stored, without the padding of its type.
+// Text as stored, without the padding of its type.
 std::string unpadded(const char* text, std::size_t bytes) {
   std::string out(text, strnlen(text, bytes));
   while (!out.empty() && out.back() == ' ') out.pop_back();
@@ -37,13 +37,13 @@ std::string unpadded(const char* text, std::size_t bytes) {
 std::optional<std::string> read_variable_text(const Handle& attribute, const Handle& type) {
   char* text = nullptr;
   if (H5Aread(attribute.get(), type.get(), static_cast<void*>(&text)) < 0 || text == nullptr) return std::nullopt;
-  std::string out = unpadded(text, kTextBytes);
+  std::string out = unpadded(text, kMaxText_bytes);
   H5free_memory(text);
   return out;
 }
 
 std::optional<std::string> read_fixed_text(const Handle& attribute, const Handle& type) {
-  std::array<char, kTextBytes> text{};
+  std::array<char, kMaxText_bytes> text{};
   if (H5Tget_size(type.get()) > text.size() || H5Aread(attribute.get(), type.get(), text.data()) < 0)
     return std::nullopt;
   return unpadded(text.data(), H5Tget_size(type.get()));

@@ -16,7 +16,7 @@ namespace {
 // A library call that gets an invalid identifier from a failed call fails too. So only the last call of a chain is
 // checked.
 
-constexpr std::size_t kDefaultCacheBytes = std::size_t{1} << 20, kMaxCache_bytes = std::size_t{64} << 20;
+constexpr std::size_t kDefaultCache_bytes = std::size_t{1} << 20, kMaxCache_bytes = std::size_t{64} << 20;
 constexpr std::uint64_t kMaxCountedChunks = 200'000;  // more are not counted: counting walks an index
 constexpr int kMaxDimensions = 3;
 const char* const kWriteAnew = "copy the file again or write it anew";
@@ -26,7 +26,7 @@ herr_t refuse_other_file(const char* /*file*/, const char* /*group*/, const char
   return -1;
 }
 
-/// The object that `name` leads to within this file; invalid when there is none.
+// The object that `name` leads to within this file; invalid when there is none.
 Handle open_object(hid_t file, const std::string& name) {
   const Handle access(H5Pcreate(H5P_LINK_ACCESS));
   H5Pset_elink_cb(access.get(), refuse_other_file, nullptr);
@@ -53,7 +53,7 @@ bool is_plain_number(hid_t type) {
   return std::any_of(known.begin(), known.end(), [type](hid_t one) { return H5Tequal(type, one) > 0; });
 }
 
-/// Copies the name of a member and frees the library's text.
+// Copies the name of a member and frees the library's text.
 std::string member_name(hid_t type, unsigned member) {
   char* const name = H5Tget_member_name(type, member);
   std::string copy = name == nullptr ? "" : name;
@@ -61,7 +61,7 @@ std::string member_name(hid_t type, unsigned member) {
   return copy;
 }
 
-/// The names of the members of a complex number: r and i, re and im, or real and imag.
+// The names of the members of a complex number: r and i, re and im, or real and imag.
 std::optional<std::array<std::string, 2>> complex_members(hid_t type) {
   if (H5Tget_class(type) != H5T_COMPOUND || H5Tget_nmembers(type) != 2) return std::nullopt;
   std::array<std::string, 2> names;
@@ -180,13 +180,13 @@ void InputDataSet::check_chunks(const InputHdf5& file, const std::string& name, 
   }
   if (chunk_bytes > claim_limit) throw InputError("claims chunks larger than the file", where_, kWriteAnew);
   hsize_t present = 0;
-  const Handle space(H5Dget_space(set_.get()));  // this version of the library refuses H5S_ALL here
+  const Handle space(H5Dget_space(set_.get()));  // HDF5 1.10.8 refuses H5S_ALL here
   if (expected <= kMaxCountedChunks && H5Dget_num_chunks(set_.get(), space.get(), &present) < 0) damaged();
   if (expected <= kMaxCountedChunks && present < expected) {
     throw InputError("holds " + std::to_string(present) + " of its " + std::to_string(expected) + " chunks", where_,
                      "record it again: it was never completed");
   }
-  if (chunk_bytes <= kDefaultCacheBytes || chunk_bytes > kMaxCache_bytes) return;
+  if (chunk_bytes <= kDefaultCache_bytes || chunk_bytes > kMaxCache_bytes) return;
   // A chunk larger than the cache would be decompressed again for each of its rows.
   set_.close();
   set_ = open_set(file.id(), name, chunk_bytes);

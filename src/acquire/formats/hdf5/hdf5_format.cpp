@@ -14,7 +14,6 @@ namespace percuss::acquire {
 namespace {
 
 constexpr std::array<std::string_view, 3> kHdf5Extensions{".h5", ".hdf5", ".hdf"};
-constexpr std::string_view kHdf5Signature = "\x89HDF\r\n\x1a\n";
 
 // MAT 7.3 is HDF5 behind a block that begins with "MATLAB".
 bool detect_hdf5(const FileHead& head) {

@@ -16,7 +16,7 @@
 namespace percuss::acquire::hdf5 {
 namespace {
 
-/// Size of a regular file. Opens the file without the library first: the library does not say why opening failed.
+// Size of a regular file. Opens the file without the library first: the library does not say why opening failed.
 std::uint64_t size_of(const std::string& path) {
   // O_NONBLOCK: opening a pipe without a writer must not block.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -71,17 +71,16 @@ std::vector<std::string> InputHdf5::names(std::size_t limit) const {
 namespace percuss::acquire {
 
 bool is_hdf5(const std::string& path) {
-  constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) return false;
   bool found = false;
-  std::array<char, kSignature.size()> bytes{};
+  std::array<char, kHdf5Signature.size()> bytes{};
   // A user block of 512 bytes times a power of two may precede the signature. The limit ends the search in a device
   // that never ends.
   constexpr off_t kMaxSignature_offset = off_t{1} << 40;
   for (off_t at = 0; !found && at <= kMaxSignature_offset; at = at == 0 ? 512 : 2 * at) {
     if (::pread(descriptor, bytes.data(), bytes.size(), at) != static_cast<ssize_t>(bytes.size())) break;
-    found = std::string_view(bytes.data(), bytes.size()) == kSignature;
+    found = std::string_view(bytes.data(), bytes.size()) == kHdf5Signature;
   }
   ::close(descriptor);
   return found;

@@ -22,19 +22,19 @@ void check_force_shape(const std::vector<std::size_t>& shape, const std::string&
   }
 }
 
+void check_accel_shape(const InputDataSet& accel, const InputHdf5& file) {
+  const auto& a = accel.shape();
+  if (a.empty()) throw InputError("one number", file.where("accel"), "store [hits, channels, samples]");
+  if (accel.elements() == 0)
+    throw InputError("empty: shape " + shape_text(a), file.where("accel"), "store [hits, channels, samples]");
+}
+
 }  // namespace
 
 std::string shape_text(std::span<const std::size_t> shape) {
   std::string text;
   for (const std::size_t size : shape) text += (text.empty() ? "[" : ", ") + std::to_string(size);
   return text.empty() ? "of one number" : text + "]";
-}
-
-void check_accel_shape(const InputDataSet& accel, const InputHdf5& file) {
-  const auto& a = accel.shape();
-  if (a.empty()) throw InputError("one number", file.where("accel"), "store [hits, channels, samples]");
-  if (accel.elements() == 0)
-    throw InputError("empty: shape " + shape_text(a), file.where("accel"), "store [hits, channels, samples]");
 }
 
 Layout layout_of(const InputDataSet& accel, const InputHdf5& file) {

@@ -10,13 +10,13 @@
 namespace percuss::acquire::hdf5 {
 namespace {
 
-constexpr std::size_t kWorkingBytes = std::size_t{4} << 20U;  // upper estimate for one call of the library
+constexpr std::size_t kWorkingMemory_bytes = std::size_t{4} << 20U;  // upper estimate for one call of the library
 
 // Locks the library, and checks that memory for one call is available: HDF5 crashes when memory runs out while it
 // writes.
 struct WriteLock {
   Lock lock{};
-  LibraryCall call{kWorkingBytes};
+  LibraryCall call{kWorkingMemory_bytes};
 };
 
 Handle complex_type(Id part) {

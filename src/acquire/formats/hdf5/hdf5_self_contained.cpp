@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMaxObjects = 100'000, kMaxDepth = 32, kNameShown = 40;
 const char* const kRemedy = "save the variables themselves in this file";
 
-/// An object by its position in the file. Names could lead elsewhere.
+// An object by its position in the file. Names could lead elsewhere.
 struct Place {
   haddr_t address = 0;
   std::string name;

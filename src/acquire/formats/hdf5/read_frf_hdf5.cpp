@@ -103,7 +103,7 @@ void read_root(const InputHdf5& file, StoredFrfs& out, std::size_t& averages) {
     out.record.decay_per_s = decay->front();
   }
   const auto count = hdf5::number_attribute(file.id(), "averages", file.path(), 1);
-  if (count && count->front() >= 0 && count->front() <= kMaxPointNumber)
+  if (count && count->front() >= 0 && count->front() <= kMaxAverages)
     averages = static_cast<std::size_t>(count->front());
 }
 

@@ -32,7 +32,7 @@ constexpr std::size_t kNamesShown = 12, kNameBytesShown = 40;
 constexpr std::array kKnownNames{"force",       "accel",       "point",    "run",   "geometry",
                                  "trace_lines", "trace_faces", "rejected", "faults"};
 
-/// The data shared by the read functions of a record.
+// The data shared by the read functions of a record.
 struct OpenRecord {
   InputHdf5 file;
   std::optional<InputDataSet> force;
@@ -84,7 +84,7 @@ double read_rate_Hz(const OpenRecord& open, const ReadOptions& options, std::vec
                    {"fs"});
 }
 
-/// An attribute of /accel with one number per channel; NaN: not known.
+// An attribute of /accel with one number per channel; NaN: not known.
 std::vector<std::optional<double>> per_channel(const OpenRecord& open, const std::string& name) {
   std::vector<std::optional<double>> out(open.layout.channels);
   const std::string where = open.file.where("accel");
@@ -122,7 +122,7 @@ void describe_signals(OpenRecord& open, const ReadOptions& options, Record& reco
     SignalInfo signal{.name = channel_name(c), .unit = unit, .position_m = position_m[c]};
     if (angle_deg[c]) signal.angle_rad = *angle_deg[c] * kDegree_rad;
     const ChannelSetup* const setup = accel_setup(options, c, open.layout.channels);
-    const SignalOverrides choice = accel_overrides(options, setup, i, open.channels.size());
+    const SignalOverrides choice = accel_overrides(options, setup, i, open.channels.size(), file.path());
     apply_overrides(signal, choice, response_quantity(signal, choice, record.has_force),
                     file.where("accel") + ", " + signal.name);
     open.to_mps2.push_back(signal.to_SI);
@@ -153,8 +153,8 @@ void note_unused(const InputHdf5& file, Record& record) {
   if (!unused.empty()) record.notes.emplace_back("not used: " + list(unused));
 }
 
-/// Scales in place.
-/// errors  InputError: names the first sample that is too large or not finite, with its index as in h5py.
+// Scales in place.
+// errors  InputError: names the first sample that is too large or not finite, with its index as in h5py.
 void to_SI(std::span<double> samples, double factor, const std::string& where, std::span<const std::size_t> at,
            std::size_t first) {
   for (double& sample : samples) {

@@ -1,9 +1,12 @@
 #pragma once
 #include <string>
+#include <string_view>
 
 #include "acquire/record/record.hpp"
 
 namespace percuss::acquire {
+
+inline constexpr std::string_view kHdf5Signature = "\x89HDF\r\n\x1a\n";
 
 /// Whether the file has the signature of HDF5 (at byte 0, 512, 1024, 2048 …). Reads nothing else. False for a path that
 /// cannot be opened.

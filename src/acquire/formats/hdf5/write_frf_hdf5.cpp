@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <map>
 
 #include "acquire/formats/hdf5/hdf5_output.hpp"
 #include "acquire/formats/hdf5/write_frf_hdf5.hpp"
+#include "acquire/record/sensor_numbers.hpp"
 #include "core/units.hpp"
 
 namespace percuss::acquire {
@@ -14,21 +13,16 @@ namespace {
 std::string within(const std::string& group, const char* name) { return group.empty() ? name : group + "/" + name; }
 
 // Writes the angles and positions of the sensors, NaN where unknown; nothing when all are unknown.
-void write_sensors(hdf5::OutputHdf5& out, const std::string& set, const FrfRecord& record) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> angle_deg, position_m;
-  for (const SignalInfo& signal : record.accel) {
-    angle_deg.push_back(signal.angle_rad ? *signal.angle_rad * kRadian_deg : kUnknown);
-    position_m.push_back(signal.position_m.value_or(kUnknown));
-  }
-  const auto known = [](double x) { return std::isfinite(x); };
-  if (std::any_of(angle_deg.begin(), angle_deg.end(), known)) out.set_numbers(set, "angle_deg", angle_deg, true);
-  if (std::any_of(position_m.begin(), position_m.end(), known)) out.set_numbers(set, "position_m", position_m, true);
+void write_frf_sensors(hdf5::OutputHdf5& out, const std::string& set, const FrfRecord& record) {
+  const auto angle_deg = sensor_numbers(record.accel, &SignalInfo::angle_rad, kRadian_deg);
+  const auto position_m = sensor_numbers(record.accel, &SignalInfo::position_m);
+  if (!angle_deg.empty()) out.set_numbers(set, "angle_deg", angle_deg, true);
+  if (!position_m.empty()) out.set_numbers(set, "position_m", position_m, true);
 }
 
 void write_attributes(hdf5::OutputHdf5& out, const std::string& group, const FrfRecord& record, FrfKind kind) {
   out.set_text(group, "kind", name_of(kind));
-  write_sensors(out, within(group, "frf"), record);
+  write_frf_sensors(out, within(group, "frf"), record);
   if (record.decay_per_s > 0) out.set_numbers(group, "decay_per_s", std::array{record.decay_per_s}, false);
   out.set_text(group, "unit", unit_of(kind));
   if (!record.estimator.empty()) out.set_text(group, "estimator", record.estimator);

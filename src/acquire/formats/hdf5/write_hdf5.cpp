@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <optional>
 
 #include "acquire/formats/hdf5/hdf5_output.hpp"
+#include "acquire/record/sensor_numbers.hpp"
 #include "acquire/record/stated_date.hpp"
 #include "acquire/record/trace_faces.hpp"
 #include "core/error.hpp"
@@ -27,7 +26,7 @@ void check_writable(const std::string& path, const Record& record) {
   }
 }
 
-/// Copies samples block by block: read(first, out), then write(first, values).
+// Copies samples block by block: read(first, out), then write(first, values).
 template <class Read, class Write>
 void copy_samples(std::size_t samples, Read&& read, Write&& write) {
   std::vector<double> block(std::min(samples, kBlockSamples));
@@ -63,16 +62,12 @@ void write_samples(hdf5::OutputHdf5& out, const Record& record, bool one_row) {
   }
 }
 
-/// Writes an attribute of /accel with one number per channel, NaN where unknown; nothing when all are unknown.
-void write_sensor_numbers(hdf5::OutputHdf5& out, const Record& record, const std::string& name,
-                          std::optional<double> SignalInfo::*value, double scale) {
-  const auto known = [value](const SignalInfo& signal) { return (signal.*value).has_value(); };
-  if (std::none_of(record.accel.begin(), record.accel.end(), known)) return;
-  std::vector<double> values;
-  for (const SignalInfo& signal : record.accel) {
-    values.push_back((signal.*value).value_or(std::numeric_limits<double>::quiet_NaN()) * scale);
-  }
-  out.set_numbers("accel", name, values, true);
+// Writes the places of the sensors as attributes of /accel, NaN where unknown; none that no sensor has.
+void write_sensors(hdf5::OutputHdf5& out, const Record& record) {
+  const auto position_m = sensor_numbers(record.accel, &SignalInfo::position_m);
+  const auto angle_deg = sensor_numbers(record.accel, &SignalInfo::angle_rad, kRadian_deg);
+  if (!position_m.empty()) out.set_numbers("accel", "position_m", position_m, true);
+  if (!angle_deg.empty()) out.set_numbers("accel", "angle_deg", angle_deg, true);
 }
 
 void write_row_numbers(hdf5::OutputHdf5& out, const Record& record, const std::string& name, int RowInfo::*number) {
@@ -137,10 +132,8 @@ void write_hdf5(const std::string& path, const Record& record, bool force) {
   if (record.continuous && !one_row) out.set_numbers("", "continuous", std::array{1.0}, false);
   if (const std::string date = common_date_of(record.files); !date.empty()) out.set_text("", "date", date);
   if (record.has_force) out.set_text("force", "unit_str", "N");
-  out.set_text("accel", "unit_str",
-               si_name(record.accel.empty() ? Quantity::acceleration : record.accel.front().measures));
-  write_sensor_numbers(out, record, "position_m", &SignalInfo::position_m, 1);
-  write_sensor_numbers(out, record, "angle_deg", &SignalInfo::angle_rad, kRadian_deg);
+  out.set_text("accel", "unit_str", si_name(record.accel.front().measures));
+  write_sensors(out, record);
   write_row_numbers(out, record, "point", &RowInfo::point);
   write_row_numbers(out, record, "run", &RowInfo::run);
   write_marks(out, record);

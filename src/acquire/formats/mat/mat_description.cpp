@@ -106,8 +106,8 @@ std::vector<TraceFace> trace_faces_in(const MatFile& file, std::size_t points) {
 void take_connections(const MatFile& file, SignalTable& table) {
   try {
     table.trace_lines = trace_lines_in(file, table.geometry.size());
-  } catch (const InputError&) {
-    table.notes.emplace_back("trace_lines is not used: it refers to points without geometry");
+  } catch (const InputError& error) {
+    table.notes.emplace_back("trace_lines is not used: " + error.problem());
   }
   try {
     table.trace_faces = trace_faces_in(file, table.geometry.size());

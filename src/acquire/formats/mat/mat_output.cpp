@@ -15,7 +15,7 @@ static_assert(std::endian::native == std::endian::little, "numbers are written a
 // Codes of the format for types of elements and classes of arrays.
 constexpr std::uint32_t kInt8 = 1, kUint16 = 4, kInt32 = 5, kUint32 = 6, kDouble = 9, kMatrix = 14;
 constexpr unsigned kCharClass = 4, kDoubleClass = 6, kComplexFlag = 0x800;
-constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 31U;
+constexpr std::uint64_t kMaxVariable_bytes = std::uint64_t{1} << 31U;
 constexpr std::size_t kTag_bytes = 8;
 
 std::size_t padded(std::size_t bytes) { return (bytes + 7) / 8 * 8; }
@@ -55,7 +55,7 @@ void MatOutput::write_header(std::string_view name, std::span<const std::size_t>
   body += name;
   pad(body);
   const std::uint64_t bytes = body.size() + (complex ? 2U : 1U) * (kTag_bytes + padded(data_bytes));
-  if (bytes >= kMaxBytes) {
+  if (bytes >= kMaxVariable_bytes) {
     throw InputError("variable " + std::string(name) + " does not fit a MAT file of level 5 (2 GiB)", path_,
                      "write HDF5, or fewer hits to a file");
   }

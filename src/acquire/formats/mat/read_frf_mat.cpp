@@ -11,6 +11,7 @@
 #include "acquire/formats/mat/mat_description.hpp"
 #include "acquire/formats/mat/mat_frf_layout.hpp"
 #include "acquire/formats/mat/mat_rate.hpp"
+#include "acquire/record/channel_name.hpp"
 #include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -197,7 +198,7 @@ void read_frfs(const MatFile& file, const MatVariable& frf, const MatFrfLayout& 
       }
       stored.std = values_of(file, std, layout, p, c);
       stored.coherence = values_of(file, coherence, layout, p, c);
-      stored.averages = averages > 0 && averages < 1e9 ? static_cast<std::size_t>(averages) : 0;
+      stored.averages = averages > 0 && averages <= kMaxAverages ? static_cast<std::size_t>(averages) : 0;
       out.frfs.push_back(std::move(stored));
     }
   }
@@ -211,7 +212,7 @@ void describe_mat_channels(const MatFile& file, std::size_t channels, StoredFrfs
     return known ? std::optional(v->real[c]) : std::nullopt;
   };
   for (std::size_t c = 0; c < channels; ++c) {
-    SignalInfo signal{.name = "accel " + std::to_string(c + 1), .position_m = value(position_m, c)};
+    SignalInfo signal{.name = channel_name(c), .position_m = value(position_m, c)};
     if (const auto degrees = value(angle_deg, c)) signal.angle_rad = *degrees * kDegree_rad;
     out.record.accel.push_back(std::move(signal));
   }

@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <set>
 
 #include "acquire/formats/mat/mat_output.hpp"
 #include "acquire/formats/mat/write_frf_mat.hpp"
+#include "acquire/record/sensor_numbers.hpp"
 #include "core/units.hpp"
 
 namespace percuss::acquire {
@@ -24,16 +23,11 @@ void append_lines(MatOutput& out, const std::vector<Frf>& frfs, std::size_t poin
   }
 }
 
-void write_mat_sensors(MatOutput& out, const FrfRecord& record) {
-  std::vector<double> angle_deg, position_m;
-  for (const SignalInfo& signal : record.accel) {
-    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    angle_deg.push_back(signal.angle_rad ? *signal.angle_rad * kRadian_deg : kUnknown);
-    position_m.push_back(signal.position_m.value_or(kUnknown));
-  }
-  const auto known = [](double x) { return std::isfinite(x); };
-  if (std::any_of(angle_deg.begin(), angle_deg.end(), known)) out.numbers("angle_deg", angle_deg);
-  if (std::any_of(position_m.begin(), position_m.end(), known)) out.numbers("position_m", position_m);
+void write_frf_mat_sensors(MatOutput& out, const FrfRecord& record) {
+  const auto angle_deg = sensor_numbers(record.accel, &SignalInfo::angle_rad, kRadian_deg);
+  const auto position_m = sensor_numbers(record.accel, &SignalInfo::position_m);
+  if (!angle_deg.empty()) out.numbers("angle_deg", angle_deg);
+  if (!position_m.empty()) out.numbers("position_m", position_m);
 }
 
 }  // namespace
@@ -65,7 +59,7 @@ void write_frf_record_mat(const std::string& path, const FrfRecord& record, FrfK
   if (has_coherence) out.begin("coherence", shape);
   if (has_coherence) append(out, [](const Frf& frf, std::size_t k) { return frf.coherence[k]; });
   out.numbers("point", std::vector<double>(numbers.begin(), numbers.end()));
-  write_mat_sensors(out, record);
+  write_frf_mat_sensors(out, record);
   if (record.decay_per_s > 0) out.number("decay_per_s", record.decay_per_s);
   out.text("kind", name_of(kind));
   out.text("unit", unit_of(kind));

@@ -1,9 +1,9 @@
 #include "acquire/formats/mat/write_mat.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "acquire/formats/mat/mat_output.hpp"
+#include "acquire/record/sensor_numbers.hpp"
 #include "acquire/record/trace_faces.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -37,15 +37,12 @@ void write_interleaved(MatOutput& out, std::size_t series_count, std::size_t sam
   }
 }
 
-// Writes one number per channel, NaN where unknown; nothing when all are unknown.
-void write_mat_sensor_numbers(MatOutput& out, const Record& record, const char* name,
-                              std::optional<double> SignalInfo::*value, double factor) {
-  std::vector<double> values;
-  for (const SignalInfo& signal : record.accel)
-    values.push_back((signal.*value) ? *(signal.*value) * factor : std::numeric_limits<double>::quiet_NaN());
-  const bool any =
-      std::any_of(record.accel.begin(), record.accel.end(), [&](auto& s) { return (s.*value).has_value(); });
-  if (any) out.numbers(name, values);
+// Writes the places of the sensors, NaN where unknown; none that no sensor has.
+void write_mat_sensors(MatOutput& out, const Record& record) {
+  const auto angle_deg = sensor_numbers(record.accel, &SignalInfo::angle_rad, kRadian_deg);
+  const auto position_m = sensor_numbers(record.accel, &SignalInfo::position_m);
+  if (!angle_deg.empty()) out.numbers("angle_deg", angle_deg);
+  if (!position_m.empty()) out.numbers("position_m", position_m);
 }
 
 void write_row_number(MatOutput& out, const Record& record, const char* name, int RowInfo::*number) {
@@ -101,9 +98,8 @@ void write_mat(const std::string& path, const Record& record, bool force) {
   write_interleaved(out, rows * channels, samples, [&](std::size_t series, std::size_t first, std::span<double> part) {
     record.read_accel_mps2(series % rows, series / rows, first, part);
   });
-  out.text("accel_unit", si_name(record.accel.empty() ? Quantity::acceleration : record.accel.front().measures));
-  write_mat_sensor_numbers(out, record, "angle_deg", &SignalInfo::angle_rad, kRadian_deg);
-  write_mat_sensor_numbers(out, record, "position_m", &SignalInfo::position_m, 1);
+  out.text("accel_unit", si_name(record.accel.front().measures));
+  write_mat_sensors(out, record);
   write_row_number(out, record, "point", &RowInfo::point);
   write_row_number(out, record, "run", &RowInfo::run);
   if (record.continuous != (rows == 1)) out.number("continuous", record.continuous ? 1 : 0);

@@ -46,10 +46,6 @@ void read_whole(StrictObject& o, const char* key, double low, double high, int& 
   to = static_cast<int>(value);
 }
 
-// Upper limit of the number of points, given the number of points with coordinates. Without it, a small damaged file
-// could claim much memory: points without coordinates take no bytes in the file.
-std::size_t max_points(std::size_t known) { return 4 * known + 1000; }
-
 void read_geometry(StrictObject& o, SoundCalibration& out) {
   std::vector<double> values, numbers, lines;
   std::size_t coordinates = 3;

@@ -81,7 +81,8 @@ void write_sound(const std::string& path, const Record& record, bool force) {
   std::vector<std::uint32_t> cues;
   double frames = 0;
   for (const RowInfo& row : record.rows) {
-    cues.push_back(static_cast<std::uint32_t>(std::min(frames, 4294967295.0)));
+    cues.push_back(
+        static_cast<std::uint32_t>(std::min(frames, static_cast<double>(std::numeric_limits<std::uint32_t>::max()))));
     frames += static_cast<double>(row.samples);
   }
   if (kind == SoundKind::wav && frames * static_cast<double>(signals * sizeof(double)) > kMaxWav_bytes)

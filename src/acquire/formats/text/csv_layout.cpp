@@ -9,15 +9,14 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kMaxColumns = 4096;
 
 }  // namespace
 
 CsvLayout layout_of_text(const FileBytes& bytes, CsvContent content) {
   const std::string file = input_name(bytes.path);
-  const std::size_t mark = bytes.view().starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
-  const std::string_view text = bytes.view().substr(mark);
+  const std::string_view text = without_byte_order_mark(bytes.view());
+  const std::size_t mark = bytes.view().size() - text.size();
   require_text(text.substr(0, std::size_t{1} << 16U), file);
   CsvLayout layout;
   const char line_end = find_line_end(text);

@@ -25,9 +25,9 @@ namespace {
 using Labels = std::array<int, 3>;  // hit, point, run
 
 int whole_number(std::string_view cell, const CsvTable& table, std::size_t line, std::size_t index) {
-  constexpr double kMaxValue = 1e9;
   const auto number = parse_number(cell, table.dialect().decimal_comma);
-  const bool usable = number.problem == NumberProblem::none && std::abs(number.value) <= kMaxValue &&
+  const bool usable = number.problem == NumberProblem::none &&
+                      std::abs(number.value) <= static_cast<double>(kMaxPointNumber) &&
                       std::rint(number.value) == number.value;
   if (usable) return static_cast<int>(number.value);
   throw InputError("\"" + one_line(to_utf8(trimmed(cell)), 40) + "\" is not a whole number", table.place(line, index),

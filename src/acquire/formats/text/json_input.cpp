@@ -13,7 +13,8 @@ struct KindOfDocument {
   std::string_view schema, what, remedy;
 };
 
-// Matched by the beginning of the schema's name. "percuss/model-" stands after the longer names that begin with it.
+// Matched by the beginning of the schema's name. "percuss/model-" and "percuss/batch" stand after the longer names that
+// begin with them.
 constexpr std::array kKinds = {
     KindOfDocument{"percuss/analysis/", "the modes of an analysis",
                    "percuss compare and percuss study read it; give the record that it names in \"inputs\""},
@@ -41,6 +42,8 @@ constexpr std::array kKinds = {
     KindOfDocument{"percuss/study-table/", "a table of bats", "percuss study reads it"},
     KindOfDocument{"percuss/channel-setup/", "a channel set-up", "give it as the set-up, beside the record"},
     KindOfDocument{"percuss/batch-manifest/", "the manifest of a batch", "percuss batch run reads it"},
+    KindOfDocument{"percuss/batch", "a document of a batch", "give the records that the batch's manifest lists"},
+    KindOfDocument{"percuss/synth-presets/", "the list of presets", "percuss synth makes a record from each"},
 };
 
 // The value of the key "schema"; empty without one.

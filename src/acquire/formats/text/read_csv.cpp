@@ -38,12 +38,9 @@ SignalInfo describe_force(const CsvColumn& column, const ReadOptions& options, c
                           std::vector<Message>& notes) {
   SignalInfo signal{.name = column.name, .unit = column.unit};
   const SignalOverrides choice = force_overrides(options, setup_of(column, options));
-  const bool assumed = column.unit.empty() && choice.unit.empty() && !choice.scale && !choice.sensitivity_V_per_SI;
+  const bool assumed = !states_scale(signal, choice);
   apply_force_overrides(signal, choice, file + ": column " + column.name, notes);
-  if (assumed) {
-    signal.unit = "N";
-    signal.unit_assumed = true;
-  }
+  if (assumed) mark_unit_assumed(signal);
   return signal;
 }
 
@@ -52,14 +49,11 @@ SignalInfo describe_accel(const CsvColumns& columns, const ReadOptions& options,
   const CsvColumn& column = columns.accel[index];
   const std::size_t count = columns.accel.size();
   SignalInfo signal{.name = column.name, .unit = column.unit};
-  const SignalOverrides choice = accel_overrides(options, setup_of(column, options), index, count);
-  const bool assumed = column.unit.empty() && choice.unit.empty() && !choice.scale && !choice.sensitivity_V_per_SI;
+  const SignalOverrides choice = accel_overrides(options, setup_of(column, options), index, count, file);
+  const bool assumed = !states_scale(signal, choice);
   apply_overrides(signal, choice, response_quantity(signal, choice, columns.has_force),
                   file + ": column " + column.name);
-  if (assumed) {
-    signal.unit = "m/s^2";
-    signal.unit_assumed = true;
-  }
+  if (assumed) mark_unit_assumed(signal);
   return signal;
 }
 

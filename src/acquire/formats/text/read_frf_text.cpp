@@ -11,6 +11,7 @@
 #include "acquire/channels/column_words.hpp"
 #include "acquire/formats/text/csv_layout.hpp"
 #include "acquire/formats/text/csv_table.hpp"
+#include "acquire/record/channel_name.hpp"
 #include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/io/parse_number.hpp"
@@ -19,10 +20,10 @@
 namespace percuss::acquire {
 namespace {
 
-enum class Part { none, real, imaginary, magnitude, phase, std, coherence };
+enum class FrfPart { none, real, imaginary, magnitude, phase, std, coherence };
 
 // The columns of one FRF.
-struct Columns {
+struct FrfColumns {
   std::size_t first = 0, second = 0;  // real and imaginary, or magnitude and phase
   bool polar = false, paired = false;
   bool in_dB = false;
@@ -45,28 +46,28 @@ std::vector<std::string> words_of(std::string_view name) {
   return words;
 }
 
-Part part_of(const std::vector<std::string>& words) {
+FrfPart part_of(const std::vector<std::string>& words) {
   for (const std::string& word : words) {
-    if (word == "re" || word.starts_with("real")) return Part::real;
-    if (word == "im" || word.starts_with("imag")) return Part::imaginary;
-    if (word.starts_with("mag") || word == "abs") return Part::magnitude;
-    if (word.starts_with("phase") || word == "arg") return Part::phase;
-    if (word.starts_with("coh")) return Part::coherence;
-    if (word == "std") return Part::std;
+    if (word == "re" || word.starts_with("real")) return FrfPart::real;
+    if (word == "im" || word.starts_with("imag")) return FrfPart::imaginary;
+    if (word.starts_with("mag") || word == "abs") return FrfPart::magnitude;
+    if (word.starts_with("phase") || word == "arg") return FrfPart::phase;
+    if (word.starts_with("coh")) return FrfPart::coherence;
+    if (word == "std") return FrfPart::std;
   }
-  return Part::none;
+  return FrfPart::none;
 }
 
 // The part of an FRF in each column, [columns]. A column of numbers before a phase is its magnitude, whatever its name
 // ("Hz, H1, phase"), unless it names another spectrum.
-std::vector<Part> parts_of(const CsvHeader& header) {
-  std::vector<Part> parts;
+std::vector<FrfPart> parts_of(const CsvHeader& header) {
+  std::vector<FrfPart> parts;
   for (const CsvColumn& column : header.columns) {
-    const Part part = column.index == 0 || !column.has_numbers ? Part::none : part_of(words_of(column.name));
-    const bool after_none = part == Part::phase && parts.size() > 1 && parts.back() == Part::none;
+    const FrfPart part = column.index == 0 || !column.has_numbers ? FrfPart::none : part_of(words_of(column.name));
+    const bool after_none = part == FrfPart::phase && parts.size() > 1 && parts.back() == FrfPart::none;
     if (after_none && header.columns[parts.size() - 1].has_numbers &&
         !is_other_spectrum(lower_case(header.columns[parts.size() - 1].name)))
-      parts.back() = Part::magnitude;
+      parts.back() = FrfPart::magnitude;
     parts.push_back(part);
   }
   return parts;
@@ -90,7 +91,7 @@ std::optional<Number> numbered(const std::vector<std::string>& words, char lette
                    "save frequency, real and imaginary part (or magnitude and phase) of each FRF, in this order");
 }
 
-void begin_frf(std::vector<Columns>& out, const CsvColumn& column, bool polar) {
+void begin_frf(std::vector<FrfColumns>& out, const CsvColumn& column, bool polar) {
   const std::vector<std::string> words = words_of(column.name);
   out.push_back({.first = column.index, .polar = polar});
   const bool named_dB = std::find(words.begin(), words.end(), "db") != words.end();
@@ -100,25 +101,25 @@ void begin_frf(std::vector<Columns>& out, const CsvColumn& column, bool polar) {
 }
 
 // Pairs the columns by their names; empty when no name is a part of an FRF.
-std::vector<Columns> find_columns(const CsvHeader& header, const std::string& file) {
-  std::vector<Columns> out;
-  const std::vector<Part> parts = parts_of(header);
+std::vector<FrfColumns> find_columns(const CsvHeader& header, const std::string& file) {
+  std::vector<FrfColumns> out;
+  const std::vector<FrfPart> parts = parts_of(header);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const CsvColumn& column = header.columns[i];
-    const Part part = parts[i];
+    const FrfPart part = parts[i];
     const bool open = !out.empty() && !out.back().paired;
-    if (part == Part::real || part == Part::magnitude) {
+    if (part == FrfPart::real || part == FrfPart::magnitude) {
       if (open) refuse_unpaired(file, column.name);
-      begin_frf(out, column, part == Part::magnitude);
-    } else if (part == Part::imaginary || part == Part::phase) {
-      if (!open || out.back().polar != (part == Part::phase)) refuse_unpaired(file, column.name);
+      begin_frf(out, column, part == FrfPart::magnitude);
+    } else if (part == FrfPart::imaginary || part == FrfPart::phase) {
+      if (!open || out.back().polar != (part == FrfPart::phase)) refuse_unpaired(file, column.name);
       out.back().second = column.index;
       out.back().paired = true;
       const auto unit = parse_unit(column.unit);
       if (unit && unit->quantity == Quantity::angle) out.back().phase_to_rad = unit->to_SI;
-    } else if (part == Part::std && !out.empty()) {
+    } else if (part == FrfPart::std && !out.empty()) {
       out.back().std = column.index;
-    } else if (part == Part::coherence && !out.empty()) {
+    } else if (part == FrfPart::coherence && !out.empty()) {
       out.back().coherence = column.index;
     }
   }
@@ -134,10 +135,10 @@ bool names_frequencies(const CsvHeader& header) {
 }
 
 // Columns without names: frequency, real, imaginary, real, imaginary, …
-std::vector<Columns> unnamed_columns(const CsvHeader& header, const std::string& file) {
-  std::vector<Columns> out;
+std::vector<FrfColumns> unnamed_columns(const CsvHeader& header, const std::string& file) {
+  std::vector<FrfColumns> out;
   for (const CsvColumn& column : header.columns) {
-    if (part_of(words_of(column.name)) == Part::phase) refuse_unpaired(file, column.name);
+    if (part_of(words_of(column.name)) == FrfPart::phase) refuse_unpaired(file, column.name);
   }
   for (std::size_t i = 1; i + 1 < header.columns.size(); i += 2)
     out.push_back({.first = header.columns[i].index, .second = header.columns[i + 1].index, .paired = true});
@@ -229,7 +230,7 @@ bool look_like_level_and_phase(const std::vector<double>& first, const std::vect
 
 // Columns without names count as real and imaginary parts. A real part that is never negative may be a magnitude.
 void refuse_possible_polar(const CsvTable& table, const std::vector<double>& first, const std::vector<double>& second,
-                           const Columns& columns) {
+                           const FrfColumns& columns) {
   if (table.header().named) return;
   const bool positive = std::none_of(first.begin(), first.end(), [](double x) { return x < 0; });
   if (!positive && !look_like_level_and_phase(first, second)) return;
@@ -241,7 +242,7 @@ void refuse_possible_polar(const CsvTable& table, const std::vector<double>& fir
       input_name(table.path()), "add a first line with names, such as Hz,re,im or Hz,magnitude,phase or Hz,dB,phase");
 }
 
-std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, std::vector<Message>& notes) {
+std::vector<Complex> read_value(const CsvTable& table, const FrfColumns& columns, std::vector<Message>& notes) {
   const auto first = read_column(table, columns.first);
   const auto second = read_column(table, columns.second);
   std::vector<Complex> value(first.size());
@@ -265,8 +266,10 @@ std::vector<Complex> read_value(const CsvTable& table, const Columns& columns, s
 }
 
 // Numbers points and channels. Unless all names state both numbers, each FRF is a point.
-void number_columns(std::vector<Columns>& columns, std::vector<Message>& notes, const std::string& file) {
-  const bool named = std::all_of(columns.begin(), columns.end(), [](const Columns& c) { return c.point && c.channel; });
+void assign_points_and_channels(std::vector<FrfColumns>& columns, std::vector<Message>& notes,
+                                const std::string& file) {
+  const bool named =
+      std::all_of(columns.begin(), columns.end(), [](const FrfColumns& c) { return c.point && c.channel; });
   if (!named && columns.size() > 1) {
     notes.push_back(
         information(fmt::format("the {} FRFs of the file are taken as points of one channel", columns.size())));
@@ -277,7 +280,7 @@ void number_columns(std::vector<Columns>& columns, std::vector<Message>& notes, 
   }
   std::size_t channels = 0, points = 0;
   std::vector<std::pair<int, std::size_t>> seen;
-  for (const Columns& c : columns) {
+  for (const FrfColumns& c : columns) {
     channels = std::max(channels, std::min(*c.channel, columns.size()) + 1);  // a name may state any number
     require_point_number(*c.point, file);
     seen.emplace_back(*c.point, *c.channel);
@@ -295,10 +298,10 @@ void number_columns(std::vector<Columns>& columns, std::vector<Message>& notes, 
 
 bool names_frfs(const CsvHeader& header) {
   if (!header.named) return false;
-  Part previous = Part::none;
-  for (const Part part : parts_of(header)) {
-    const bool pair =
-        (previous == Part::real && part == Part::imaginary) || (previous == Part::magnitude && part == Part::phase);
+  FrfPart previous = FrfPart::none;
+  for (const FrfPart part : parts_of(header)) {
+    const bool pair = (previous == FrfPart::real && part == FrfPart::imaginary) ||
+                      (previous == FrfPart::magnitude && part == FrfPart::phase);
     if (pair) return true;
     previous = part;
   }
@@ -310,23 +313,23 @@ std::optional<StoredFrfs> read_frf_text(const FileBytes& bytes, bool forced) {
   CsvLayout layout = layout_of_text(bytes, CsvContent::frf);
   if (layout.header.columns.front().index != 0) return std::nullopt;
   const bool frequency = names_frequencies(layout.header) || (forced && names_frfs(layout.header));
-  auto columns = frequency ? find_columns(layout.header, file) : std::vector<Columns>{};
+  auto columns = frequency ? find_columns(layout.header, file) : std::vector<FrfColumns>{};
   if (columns.empty() && forced) columns = unnamed_columns(layout.header, file);
   if (columns.empty()) return std::nullopt;
   StoredFrfs out;
   out.record.files.push_back({.path = bytes.path, .bytes = bytes.size});
   out.record.format = "FRF text";
-  number_columns(columns, out.record.notes, file);
+  assign_points_and_channels(columns, out.record.notes, file);
   std::size_t channels = 0;
-  for (const Columns& c : columns) channels = std::max(channels, *c.channel + 1);
-  for (std::size_t c = 0; c < channels; ++c) out.record.accel.push_back({.name = "accel " + std::to_string(c + 1)});
+  for (const FrfColumns& c : columns) channels = std::max(channels, *c.channel + 1);
+  for (std::size_t c = 0; c < channels; ++c) out.record.accel.push_back({.name = channel_name(c)});
   read_statements(bytes.view().substr(0, layout.header.data_start), out);
   const double to_Hz = require_Hz_per_unit(layout.header.columns.front().unit, file + ": header");
   const CsvTable table(bytes, std::move(layout));
   auto freq_Hz = read_column(table, 0);
   std::for_each(freq_Hz.begin(), freq_Hz.end(), [&](double& f) { f *= to_Hz; });
   out.record.lines = lines_from_frequencies(freq_Hz, file);
-  for (const Columns& c : columns) {
+  for (const FrfColumns& c : columns) {
     out.frfs.push_back({.point = *c.point,
                         .channel = *c.channel,
                         .value = read_value(table, c, out.record.notes),

@@ -172,7 +172,7 @@ class LvmParser {
 }  // namespace
 
 bool is_lvm(std::string_view head) {
-  if (head.substr(0, 3) == "\xEF\xBB\xBF") head.remove_prefix(3);
+  head = without_byte_order_mark(head);
   return head.substr(0, kTitle.size()) == kTitle;
 }
 

@@ -40,7 +40,7 @@ std::string header(const Record& record) {
   return text + "\n";
 }
 
-/// The end of each line of a row.
+// The end of each line of a row.
 std::string row_end(const Record& record, const RowInfo& row) {
   std::string text;
   if (states_points(record)) text += "," + std::to_string(row.point);

@@ -147,6 +147,7 @@ void guess_one_row(const std::vector<const UffFunction*>& functions, const std::
   }
 }
 
+// "data sets 15 (1), 58 (3)".
 std::string list_of_sets(const UffContents& contents) {
   std::string out;
   for (const auto& [number, count] : contents.sets)
@@ -156,11 +157,12 @@ std::string list_of_sets(const UffContents& contents) {
 
 // "power spectral densities (PSD): 3, cross spectra: 1" of the functions; empty for none.
 std::string spectra_in(const std::vector<UffFunction>& functions) {
-  constexpr std::array<std::pair<int, const char*>, 5> kSpectra{{{Uff58::auto_spectrum, "auto spectra"},
-                                                                 {Uff58::cross_spectrum, "cross spectra"},
-                                                                 {9, "power spectral densities (PSD)"},
-                                                                 {10, "energy spectral densities (ESD)"},
-                                                                 {12, "spectra"}}};
+  constexpr std::array<std::pair<int, const char*>, 5> kSpectra{
+      {{Uff58::auto_spectrum, "auto spectra"},
+       {Uff58::cross_spectrum, "cross spectra"},
+       {Uff58::power_spectral_density, "power spectral densities (PSD)"},
+       {Uff58::energy_spectral_density, "energy spectral densities (ESD)"},
+       {Uff58::spectrum, "spectra"}}};
   std::string out;
   for (const auto& [type, what] : kSpectra) {
     std::size_t count = 0;
@@ -181,8 +183,6 @@ bool is_uff_frf(const UffFunction& function) {
   return function.type == Uff58::frequency_response ||
          (function.type == 0 && function.complex && function.abscissa.quantity == Uff58::frequency);
 }
-
-std::string uff_set_list(const UffContents& contents) { return list_of_sets(contents); }
 
 Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& options) {
   auto open = std::make_shared<OpenUff>();

@@ -17,7 +17,4 @@ bool is_time_record(const UffFunction& function);
 /// Whether a function is an FRF: type 4, or complex values of type 0 over frequency.
 bool is_uff_frf(const UffFunction& function);
 
-/// "data sets 15 (1), 58 (3)", for messages.
-std::string uff_set_list(const UffContents& contents);
-
 }  // namespace percuss::acquire

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "acquire/formats/uff/uff_nodes.hpp"
+#include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 
 namespace percuss::acquire {
@@ -75,7 +76,7 @@ std::vector<Message> uff_notes(const UffContents& contents) {
 std::vector<std::vector<double>> uff_geometry(const UffContents& contents, int offset, std::vector<Message>& notes) {
   if (contents.nodes_m.empty()) return {};
   const auto last = static_cast<std::int64_t>(contents.nodes_m.rbegin()->first) - offset;
-  const auto most = static_cast<std::int64_t>(4 * contents.nodes_m.size() + 1000);
+  const auto most = static_cast<std::int64_t>(max_points(contents.nodes_m.size()));
   if (contents.nodes_m.begin()->first < offset || last > most) {
     notes.emplace_back("the geometry is not used: its nodes are numbered too far apart");
     return {};

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/io/csv_dialect.hpp"
 #include "core/io/lazy_file.hpp"
 
 namespace percuss::acquire {
@@ -179,7 +180,7 @@ class Splitter {
 }  // namespace
 
 bool is_universal_file(std::string_view head) {
-  if (head.substr(0, 3) == "\xEF\xBB\xBF") head.remove_prefix(3);
+  head = without_byte_order_mark(head);
   while (!head.empty()) {
     const std::string_view line = take_uff_line(head);
     if (line.find_first_not_of(" \t") != std::string_view::npos) return is_delimiter(line);

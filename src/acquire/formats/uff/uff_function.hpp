@@ -14,7 +14,16 @@ namespace percuss::acquire {
 
 /// Codes of data set 58.
 struct Uff58 {
-  enum Function { time_response = 1, auto_spectrum = 2, cross_spectrum = 3, frequency_response = 4, coherence = 6 };
+  enum Function {
+    time_response = 1,
+    auto_spectrum = 2,
+    cross_spectrum = 3,
+    frequency_response = 4,
+    coherence = 6,
+    power_spectral_density = 9,
+    energy_spectral_density = 10,
+    spectrum = 12
+  };
   enum Quantity {
     unknown = 0,
     general = 1,

@@ -38,8 +38,8 @@ UffAnnotation uff_annotation(const UffFunction& function) {
   out.node_offset = fifth_line.find("node = point + 1") != std::string::npos ? 1 : 0;
   out.continuous = fifth_line.find("; continuous") != std::string::npos;
   out.dx = number_after(fifth_line, "dx =");
-  out.averages =
-      static_cast<std::size_t>(std::min(std::max(number_after(fourth_line, "averages =").value_or(0), 0.0), 1e9));
+  out.averages = static_cast<std::size_t>(
+      std::min(std::max(number_after(fourth_line, "averages =").value_or(0), 0.0), kMaxAverages));
   out.angle_deg = number_after(fourth_line, "angle_deg =");
   out.position_m = number_after(fourth_line, "position_m =");
   out.decay_per_s = number_after(fourth_line, "decay_per_s =");

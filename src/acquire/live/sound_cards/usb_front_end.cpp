@@ -12,7 +12,7 @@ constexpr std::array<std::string_view, 4> kFrontEndModels = {"485B", "333D", "63
 constexpr double kFullScaleCounts = 8388608;  // 2^23
 constexpr std::size_t kModelLength = 6, kSerialLength = 6, kDateLength = 6;
 
-/// Removes `count` digits from the front of `text` and returns their value; nothing if they are not all digits.
+// Removes `count` digits from the front of `text` and returns their value; nothing if they are not all digits.
 std::optional<int> take_digits(std::string_view& text, std::size_t count) {
   if (text.size() < count) return {};
   int value = 0;

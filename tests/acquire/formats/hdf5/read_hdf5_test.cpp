@@ -207,12 +207,12 @@ TEST_F(Hdf5Read, RefusesChannelsThatDoNotExist) {
   Hdf5Builder(path_).numbers("", "fs", {1000}).ramp("force", {2, 9}).ramp("accel", {2, 2, 9});
   const auto message = [&](const ReadOptions& options) { return input_error_of([&] { open_hdf5(path_, options); }); };
   EXPECT_THAT(message({.accel_channels = {"3"}}), HasSubstr("accel 1 to accel 2"));
-  EXPECT_THAT(message({.accel_channels = {"0"}}), HasSubstr("no acceleration channel 0"));
+  EXPECT_THAT(message({.accel_channels = {"0"}}), HasSubstr("no acceleration channel 0 (" + path_ + ");"));
   EXPECT_THAT(message({.accel_channels = {"1", "accel 1"}}), HasSubstr("twice"));
   EXPECT_THAT(message({.force_channel = "hammer"}), HasSubstr("force"));
   EXPECT_THAT(message({.setup = {{.name = "accel 9"}}}), HasSubstr("accel 9"));
   EXPECT_THAT(message({.setup = {{.name = "accel 1", .role = "force"}}}), HasSubstr("role"));
-  EXPECT_THAT(message({.angle_rad = {0, 1, 2}}), HasSubstr("3 values for 2"));
+  EXPECT_THAT(message({.angle_rad = {0, 1, 2}}), HasSubstr("3 values for 2 acceleration channels (" + path_ + ");"));
 }
 
 TEST_F(Hdf5Read, NamesTheSampleThatIsNotFinite) {

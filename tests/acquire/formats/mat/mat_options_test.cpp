@@ -95,6 +95,11 @@ TEST(MatOptions, TakeDescriptionsOfTheRightShapeOnly) {
   for (const MatVariable& lines : {mat_text("trace_lines", "01"), mat_numbers("trace_lines", {1, 2, 1}, {0, 1}),
                                    mat_numbers("trace_lines", {2, 1}, {0, 1})})
     EXPECT_THAT(open_mat(example({geometry, lines}), {}).trace_lines, IsEmpty());
+  for (const double end : {0.5, 2.0}) {
+    const Record missing = open_mat(example({geometry, mat_numbers("trace_lines", {1, 2}, {0, end})}), {});
+    EXPECT_THAT(missing.trace_lines, IsEmpty());
+    EXPECT_THAT(missing.notes, testing::Contains(Message("trace_lines is not used: a line to a missing point")));
+  }
   for (const MatVariable& other : {mat_text("geometry", "0011"), mat_numbers("geometry", {2, 1, 2}, corners),
                                    mat_numbers("geometry", {4, 1}, corners), mat_numbers("geometry", {1, 4}, corners)})
     EXPECT_THAT(open_mat(example({other}), {}).geometry, IsEmpty());

@@ -32,7 +32,12 @@ TEST(JsonInput, NamesTheCommandThatReadsTheDocument) {
                                                         {"info", "the description of files"},
                                                         {"calibration", "a calibration"},
                                                         {"study", "the result of a study"},
-                                                        {"study-table", "a table of bats"}}) {
+                                                        {"study-table", "a table of bats"},
+                                                        {"batch-manifest", "percuss batch run reads it"},
+                                                        {"batch", "a document of a batch"},
+                                                        {"batch-status", "a document of a batch"},
+                                                        {"batch-part", "the records that the batch's manifest lists"},
+                                                        {"synth-presets", "the list of presets"}}) {
     EXPECT_THAT(refusal("{\"schema\": \"percuss/" + schema + "/1\"}"), HasSubstr(remedy)) << schema;
   }
 }
