@@ -1,5 +1,7 @@
 #include "support/modal_frfs.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -72,10 +74,10 @@ void add_mode(identify::FrfDataset& set, std::size_t channel, const identify::Po
 }
 
 void add_frf_noise(identify::FrfDataset& set, double deviation, std::uint64_t seed) {
-  for (std::size_t o = 0; o < set.channels.size(); ++o) {
+  for (std::size_t c = 0; c < set.channels.size(); ++c) {
     std::vector<double> noise(2 * set.lines.count);
-    synth::RandomStream({seed, o}).add_normal(deviation, noise);
-    for (std::size_t k = 0; k < set.lines.count; ++k) set.channels[o].frf[k] += Complex(noise[2 * k], noise[2 * k + 1]);
+    synth::RandomStream({seed, c}).add_normal(deviation, noise);
+    for (std::size_t k = 0; k < set.lines.count; ++k) set.channels[c].frf[k] += Complex(noise[2 * k], noise[2 * k + 1]);
   }
 }
 
@@ -95,6 +97,23 @@ void add_random_gain(identify::FrfDataset& set, std::uint64_t seed) {
   const Eigen::VectorXcd gain = errors * Eigen::Map<const Eigen::VectorXd>(draw.data(), errors.cols());
   for (identify::FrfChannel& channel : set.channels) {
     for (const std::size_t k : lines) channel.frf[k] *= 1.0 + gain(static_cast<Eigen::Index>(k));
+  }
+}
+
+std::vector<Eigen::VectorXcd> frf_vectors(const identify::FrfDataset& set) {
+  std::vector<Eigen::VectorXcd> out;
+  const auto lines = static_cast<Eigen::Index>(set.lines.count);
+  for (const identify::FrfChannel& channel : set.channels)
+    out.emplace_back(Eigen::Map<const Eigen::VectorXcd>(channel.frf.data(), lines));
+  return out;
+}
+
+void expect_modes_near(const std::vector<identify::Mode>& found, const std::vector<identify::Pole>& truth) {
+  ASSERT_EQ(found.size(), truth.size());
+  for (std::size_t m = 0; m < truth.size(); ++m) {
+    EXPECT_LE(std::abs(found[m].pole.freq_Hz - truth[m].freq_Hz), kModeDeviations * found[m].freq_std_Hz) << m;
+    EXPECT_LE(std::abs(found[m].pole.damping_ratio - truth[m].damping_ratio), kModeDeviations * found[m].damping_std)
+        << m;
   }
 }
 
