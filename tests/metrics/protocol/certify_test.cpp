@@ -9,10 +9,12 @@
 
 #include "metrics/protocol/performance.hpp"
 #include "support/input_error.hpp"
+#include "support/messages.hpp"
 #include "synth/random_stream.hpp"
 
 namespace percuss::metrics::certify_test {
 
+using test::codes_of;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::Field;
@@ -42,13 +44,6 @@ SessionShot shot_with(const Session& s, double z_in, double value, int number = 
           .ball_g = 145.4,
           .in_mph = in,
           .out_mph = (value - 0.5) * (in + delta) + delta};
-}
-
-std::vector<std::string> codes_of(const std::vector<ProtocolFinding>& findings) {
-  std::vector<std::string> codes;
-  codes.reserve(findings.size());
-  for (const auto& finding : findings) codes.push_back(finding.code);
-  return codes;
 }
 
 // Fires every shot that certify() asks for, at most `most`.

@@ -4,19 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/warnings/hit_list.hpp"
+#include "support/messages.hpp"
 
 namespace percuss::pipeline::ranking_test {
 
 using acquire::FindingCode;
 using acquire::Severity;
+using test::codes_of;
 using testing::ElementsAre;
-
-std::vector<std::string> codes_of(const std::vector<Warning>& warnings) {
-  std::vector<std::string> codes;
-  codes.reserve(warnings.size());
-  for (const Warning& warning : warnings) codes.push_back(warning.code);
-  return codes;
-}
 
 TEST(Ranking, PutsTheMostSeriousFirst) {
   const auto out = ranked({{"truncated_decay", "c"},

@@ -14,17 +14,14 @@
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
+#include "support/text_parts.hpp"
 
 namespace percuss::report::analysis_page_test {
 
+using test::between;
 using test::run_percuss;
 using testing::HasSubstr;
 using testing::Not;
-
-std::string between(const std::string& text, const std::string& from, const std::string& to) {
-  const std::size_t start = text.find(from) + from.size();
-  return text.substr(start, text.find(to, start) - start);
-}
 
 nlohmann::json data_of(const std::string& page) {
   auto parts = nlohmann::json::parse(between(page, R"(<script type="application/json" id="data">)", "</script>"));
