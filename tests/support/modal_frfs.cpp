@@ -129,6 +129,13 @@ synth::SynthSpec bat_spec(std::vector<synth::SynthMode> modes, double duration_s
   return spec;
 }
 
+synth::SynthSpec truncated_bat_spec() {
+  return bat_spec({{.freq_Hz = 120, .damping_ratio = 0.004, .residue_per_kg = {1.1, -0.4}},
+                   {.freq_Hz = 640, .damping_ratio = 0.006, .residue_per_kg = {0.5, 0.9}},
+                   {.freq_Hz = 1500, .damping_ratio = 0.02, .residue_per_kg = {-0.7, 0.2}}},
+                  0.35);
+}
+
 synth::SynthSpec roving_beam_spec(double first_in, double step_in, int points) {
   synth::SynthSpec spec;
   spec.fs_Hz = 4096;

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pipeline/warnings/hit_list.hpp"
 #include "support/messages.hpp"
 
 namespace percuss::pipeline::ranking_test {
@@ -72,12 +71,6 @@ TEST(TrustStatements, StateDoubleHitsOnce) {
   const auto out = trust_statements({used}, hits);
   EXPECT_THAT(codes_of(out), ElementsAre("double_hits_used", "double_hit"));
   EXPECT_EQ(out[1].message, "hit 2 (not used): what was found");
-}
-
-TEST(HitList, NamesEightHitsAndCountsTheOthers) {
-  EXPECT_EQ(hit_list({3}), "hit 4");
-  EXPECT_EQ(hit_list({0, 2}), "hits 1, 3");
-  EXPECT_EQ(hit_list({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}), "hits 1, 2, 3, 4, 5, 6, 7, 8 and 2 more");
 }
 
 }  // namespace percuss::pipeline::ranking_test
