@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "report/text/digest.hpp"
 
 namespace percuss::batch::serialized_frf_test {
 
@@ -53,18 +52,6 @@ TEST(SerializedFrf, IsRejectedWhenCutOffOrChanged) {
   record = small_record();
   record.frfs[0].channel = 2;
   EXPECT_THROW(deserialize_frfs(serialize_frfs(record), "here"), InputError);
-}
-
-TEST(Base64, IsRestoredExactly) {
-  std::string bytes;
-  for (int i = 0; i < 300; ++i) {
-    EXPECT_EQ(report::from_base64(report::base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()})),
-              bytes);
-    bytes += static_cast<char>(i * 37);
-  }
-  EXPECT_EQ(report::from_base64("Zm9vYmE="), "fooba");  // RFC 4648
-  for (const char* bad : {"Zm9", "Zm9*", "Z===", "Zm=v", "\xff\xff\xff\xff"})
-    EXPECT_THROW(report::from_base64(bad), std::out_of_range) << bad;
 }
 
 }  // namespace percuss::batch::serialized_frf_test

@@ -11,11 +11,13 @@
 #include "support/help_pages.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/text_parts.hpp"
 
 // The completion scripts. The tests run the script for bash; .ci/shells tests the scripts for zsh and fish.
 namespace percuss::completion_command_test {
 
 namespace fs = std::filesystem;
+using test::quoted;
 using test::run_percuss;
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -28,8 +30,6 @@ std::string script_for(const std::string& shell) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   return outcome.out;
 }
-
-std::string quoted(const std::string& word) { return "'" + word + "'"; }
 
 /// The lines that a shell prints when it runs `program` in `folder`.
 std::vector<std::string> lines_from(const std::string& shell, const std::string& program, const std::string& folder) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "report/text/text_table.hpp"
 #include "support/help_pages.hpp"
 #include "support/percuss_process.hpp"
 
@@ -98,7 +99,7 @@ TEST(Help, FitsATerminalExceptForExampleLines) {
   for (const auto& command : test::commands()) {
     const std::string help = test::help_of(command);
     for (const std::string& line : lines_of(help.substr(0, help.find("\nExamples:\n"))))
-      EXPECT_LE(std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xc0) != 0x80; }), 100) << line;
+      EXPECT_LE(report::text_width(line), 100U) << line;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "report/text/text_table.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
@@ -28,9 +29,8 @@ std::size_t longest_line(const std::string& text) {
   std::size_t longest = 0;
   for (const std::string& line : test::lines_of(text)) {
     if (line.find("bat.h5") != std::string::npos) continue;
-    const auto characters = std::count_if(
-        line.begin(), line.end(), [](char c) { return c != '\r' && (static_cast<unsigned char>(c) & 0xC0U) != 0x80; });
-    longest = std::max(longest, static_cast<std::size_t>(characters));
+    const std::size_t returns = static_cast<std::size_t>(std::count(line.begin(), line.end(), '\r'));
+    longest = std::max(longest, report::text_width(line) - returns);
   }
   return longest;
 }

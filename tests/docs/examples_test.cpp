@@ -16,15 +16,15 @@
 #include "support/percuss_process.hpp"
 #include "support/ping_file.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/text_parts.hpp"
 #include "synth/synthesise.hpp"
 
 // Runs each example of --help in a shell, in a folder with the files that it reads.
 namespace percuss::examples_test {
 
 namespace fs = std::filesystem;
+using test::quoted;
 using test::run_percuss;
-
-std::string quoted(const std::string& text) { return "'" + text + "'"; }
 
 struct ShellOutcome {
   int code = -1;

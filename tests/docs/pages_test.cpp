@@ -2,13 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <regex>
 #include <string>
 #include <vector>
 
+#include "report/text/text_table.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -152,12 +152,6 @@ TEST(Pages, AreListedInTheIndex) {
   }
 }
 
-// The number of characters: all bytes but the continuation bytes of UTF-8.
-std::size_t width_of(const std::string& line) {
-  return static_cast<std::size_t>(
-      std::count_if(line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
 /// Lines of prose: no tables, blocks of code or equations, and nothing that percuss_stress writes.
 std::vector<std::string> prose_lines(const std::string& page) {
   std::vector<std::string> out;
@@ -173,7 +167,8 @@ std::vector<std::string> prose_lines(const std::string& page) {
 TEST(Pages, HaveLinesOfAtMost120Characters) {
   constexpr std::size_t kMaxWidth = 120;
   for (const std::string& page : pages()) {
-    for (const std::string& line : prose_lines(page)) EXPECT_LE(width_of(line), kMaxWidth) << page << ": " << line;
+    for (const std::string& line : prose_lines(page))
+      EXPECT_LE(report::text_width(line), kMaxWidth) << page << ": " << line;
   }
 }
 

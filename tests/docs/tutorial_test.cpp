@@ -40,7 +40,7 @@ CommandResult run_shell(const std::string& script, const std::string& folder, in
   return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .lines = test::lines_of(text)};
 }
 
-std::string joined(const std::vector<std::string>& lines) {
+std::string text_of_lines(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += line + "\n";
   return text;
@@ -59,11 +59,11 @@ void expect_page_to_print_as_shown(const std::string& page, std::size_t min_comm
     code = outcome.code;
     EXPECT_TRUE(matches_transcript(command.expected, outcome.lines))
         << page << ":" << command.line << " differs from the output, which is:\n$ " << command.script << "\n"
-        << joined(outcome.lines);
+        << text_of_lines(outcome.lines);
     const bool code_is_shown = i + 1 < commands.size() && commands[i + 1].script == "echo $?";
     EXPECT_TRUE(code == 0 || code_is_shown)
         << page << ":" << command.line << ": exit code " << code << " of\n$ " << command.script << "\n"
-        << joined(outcome.lines);
+        << text_of_lines(outcome.lines);
   }
 }
 

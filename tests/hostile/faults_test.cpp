@@ -75,9 +75,9 @@ TEST_F(Faults, OfMemoryGiveOneLineAndNoFile) {
   // libmatio reports few failed allocations: it drops variables, or their names. percuss must notice this, so the step
   // is small.
   expect_all_or_nothing({"info", kCorpus + "foreign/record.mat"}, "", 7);
-  expect_all_or_nothing({"convert", kCorpus + "uff/record.uff"}, "out.csv", kStep);
-  expect_all_or_nothing({"convert", kCorpus + "csv/record.csv"}, "out.uff", kStep);
-  expect_all_or_nothing({"convert", kCorpus + "uff/record.uff"}, "out.mat", kStep);
+  expect_all_or_nothing({"convert", kCorpus + "uff/record.uff", "--quiet"}, "out.csv", kStep);
+  expect_all_or_nothing({"convert", kCorpus + "csv/record.csv", "--quiet"}, "out.uff", kStep);
+  expect_all_or_nothing({"convert", kCorpus + "uff/record.uff", "--quiet"}, "out.mat", kStep);
 }
 
 // The heap reserves half a GiB of addresses for large pages. Where a limit denies them, it grows in small steps.

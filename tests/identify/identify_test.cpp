@@ -11,20 +11,12 @@
 
 namespace percuss::identify::identify_test {
 
-// Standard deviations. Among a few hundred errors, one beyond this limit is not chance.
-constexpr double kDeviations = 4.5;
-
-struct TrueMode {
-  double freq_Hz, damping_ratio;
-};
-
-synth::SynthSpec structure(const std::vector<TrueMode>& modes, std::uint64_t seed, double noise,
-                           double duration_s = 1.28) {
+synth::SynthSpec structure(const std::vector<Pole>& modes, std::uint64_t seed, double noise, double duration_s = 1.28) {
   synth::SynthSpec spec;
   spec.fs_Hz = 12800;
   spec.samples = static_cast<std::size_t>(duration_s * spec.fs_Hz);
   spec.seed = seed;
-  for (const TrueMode& mode : modes) {
+  for (const Pole& mode : modes) {
     spec.modes.push_back({.freq_Hz = mode.freq_Hz, .damping_ratio = mode.damping_ratio, .residue_per_kg = {0.9, 0.5}});
   }
   spec.noise = {.force = 0.1 * noise, .accel = noise};
@@ -37,27 +29,19 @@ std::vector<Mode> modes_of(const synth::SynthSpec& spec, double low_Hz = 60, dou
   return analysis.modes();
 }
 
-void expect_modes(const std::vector<Mode>& found, const std::vector<TrueMode>& truth) {
-  ASSERT_EQ(found.size(), truth.size());
-  for (std::size_t m = 0; m < truth.size(); ++m) {
-    EXPECT_LE(std::abs(found[m].pole.freq_Hz - truth[m].freq_Hz), kDeviations * found[m].freq_std_Hz) << m;
-    EXPECT_LE(std::abs(found[m].pole.damping_ratio - truth[m].damping_ratio), kDeviations * found[m].damping_std) << m;
-  }
-}
-
 TEST(IdentifyModes, FindsSeparateModesWithinTheirStandardDeviations) {
-  const std::vector<TrueMode> truth{{180, 0.01}, {600, 0.006}, {1200, 0.004}, {2000, 0.003}};
-  for (std::uint64_t seed = 0; seed < 8; ++seed) expect_modes(modes_of(structure(truth, seed, 1e-3)), truth);
+  const std::vector<Pole> truth{{180, 0.01}, {600, 0.006}, {1200, 0.004}, {2000, 0.003}};
+  for (std::uint64_t seed = 0; seed < 8; ++seed) test::expect_modes_near(modes_of(structure(truth, seed, 1e-3)), truth);
 }
 
 TEST(IdentifyModes, FindsBothModesOfAClosePair) {
-  const std::vector<TrueMode> truth{{600, 0.006}, {1900, 0.003}, {1912, 0.0033}};
-  for (std::uint64_t seed = 0; seed < 4; ++seed) expect_modes(modes_of(structure(truth, seed, 1e-3)), truth);
+  const std::vector<Pole> truth{{600, 0.006}, {1900, 0.003}, {1912, 0.0033}};
+  for (std::uint64_t seed = 0; seed < 4; ++seed) test::expect_modes_near(modes_of(structure(truth, seed, 1e-3)), truth);
 }
 
 TEST(IdentifyModes, SeparatesTwoModesTwoHertzApartAt170Hz) {
-  const std::vector<TrueMode> truth{{170, 0.002}, {172, 0.002}};
-  expect_modes(modes_of(structure(truth, 1, 1e-4, 2.56)), truth);
+  const std::vector<Pole> truth{{170, 0.002}, {172, 0.002}};
+  test::expect_modes_near(modes_of(structure(truth, 1, 1e-4, 2.56)), truth);
 }
 
 TEST(IdentifyModes, FindsNoSecondModeInASingleOne) {
@@ -67,9 +51,9 @@ TEST(IdentifyModes, FindsNoSecondModeInASingleOne) {
 
 TEST(IdentifyModes, DoesNotOverestimateDampingFromATruncatedRecord) {
   // A third of the first mode's amplitude is left at the end: the half-power bandwidth would give far too much damping.
-  const std::vector<TrueMode> truth{{200, 0.002}, {800, 0.002}};
+  const std::vector<Pole> truth{{200, 0.002}, {800, 0.002}};
   const auto found = modes_of(structure(truth, 2, 1e-3, 0.45));
-  expect_modes(found, truth);
+  test::expect_modes_near(found, truth);
   for (std::size_t m = 0; m < found.size(); ++m)
     EXPECT_LE(std::abs(found[m].pole.damping_ratio / 0.002 - 1), 0.01) << m;
 }
@@ -112,7 +96,8 @@ TEST(IdentifyModes, ReportsTheResidues) {
     for (std::size_t c = 0; c < 2; ++c) {
       const Residue& residue = mode.residues[c];
       const double exact = c == 0 ? 0.9 : 0.5;
-      EXPECT_LE(std::abs(residue.value - exact), kDeviations * std::hypot(residue.std, exact * residue.relative_std));
+      EXPECT_LE(std::abs(residue.value - exact),
+                test::kModeDeviations * std::hypot(residue.std, exact * residue.relative_std));
     }
   }
 }
@@ -156,7 +141,7 @@ TEST(IdentifyModes, BestEffortKeepsTheLocalFitWhereTheModelFails) {
   const auto best = identify_modes(set, {.effort = Effort::best, .start_Hz = {320, 502}});
   ASSERT_EQ(best.size(), 2U);
   EXPECT_EQ(best[1].pole.freq_Hz, standard[1].pole.freq_Hz);
-  EXPECT_LE(std::abs(best[0].pole.freq_Hz - 320), kDeviations * best[0].freq_std_Hz);
+  EXPECT_LE(std::abs(best[0].pole.freq_Hz - 320), test::kModeDeviations * best[0].freq_std_Hz);
 }
 
 }  // namespace percuss::identify::identify_test

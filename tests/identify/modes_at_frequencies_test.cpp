@@ -8,13 +8,10 @@
 #include <vector>
 
 #include "identify/identify.hpp"
-#include "identify/model/frf_lines.hpp"
 #include "identify/start/unmodelled_peaks.hpp"
 #include "support/modal_frfs.hpp"
-#include "synth/synthesise.hpp"
 
-namespace percuss::identify {
-namespace {
+namespace percuss::identify::modes_at_frequencies_test {
 
 constexpr double kDeviations = 5;  // of a few values: one false alarm in a million
 constexpr std::array<Pole, 2> kPair = {
@@ -89,21 +86,4 @@ TEST(ModesAtFrequencies, TakesABandAsWideAsTheResonanceNeeds) {
   EXPECT_LT(found[0].freq_std_Hz, 0.1 * kWeak.half_power_Hz());
 }
 
-// The record is truncated, so the mode's column of the least-squares matrix depends on the force at each line.
-TEST(LinesOf, GiveTheSameModeAsAllLines) {
-  const synth::SynthSpec spec =
-      test::bat_spec({{.freq_Hz = 169, .damping_ratio = 0.002, .residue_per_kg = {1.1, -0.4}}}, 0.5);
-  const FrfDataset set = test::frf_set_of(synth::synthesise(spec).record, 60, 800);
-  const std::size_t first = set.lines.nearest(120), count = set.lines.nearest(230) - first;
-  const FrfDataset part = lines_of(set, first, count);
-  EXPECT_EQ(part.lines.freq_Hz(0), set.lines.freq_Hz(first));
-  EXPECT_EQ(part.lines.count, count);
-  EXPECT_EQ(part.channels[1].frf.back(), set.channels[1].frf[first + count - 1]);
-  const auto modes = identify_modes(part);
-  ASSERT_EQ(modes.size(), 1U);
-  EXPECT_NEAR(modes[0].pole.freq_Hz, 169, 1e-7);  // without noise, the truncation is the only difference
-  EXPECT_NEAR(modes[0].pole.damping_ratio, 0.002, 1e-8);
-}
-
-}  // namespace
-}  // namespace percuss::identify
+}  // namespace percuss::identify::modes_at_frequencies_test

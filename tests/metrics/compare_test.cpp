@@ -60,12 +60,13 @@ TEST(PairModes, SkipsRigidBodyModes) {
   EXPECT_THAT(paired.unpaired_a, IsEmpty());
 }
 
+/// A real shape at three points.
+std::map<std::pair<int, int>, ComparedMode::Component> shape(double x, double y, double z) {
+  return {{{0, 0}, {{x, 0}, 0}}, {{1, 0}, {{y, 0}, 0}}, {{2, 0}, {{z, 0}, 0}}};
+}
+
 TEST(PairModes, PairsByShapeWherePossible) {
   ComparedDocument a = document_with({100, 104}), b = document_with({101, 103});
-  const auto shape = [](double x, double y, double z) {
-    return std::map<std::pair<int, int>, ComparedMode::Component>{
-        {{0, 0}, {{x, 0}, 0}}, {{1, 0}, {{y, 0}, 0}}, {{2, 0}, {{z, 0}, 0}}};
-  };
   a.modes[0].shape = b.modes[1].shape = shape(1, 1, 1);
   a.modes[1].shape = b.modes[0].shape = shape(1, 0, -1);
   const PairedModes paired = pair_modes(a, b);
@@ -76,10 +77,6 @@ TEST(PairModes, PairsByShapeWherePossible) {
 // Each pair of modes decides by itself whether it pairs by shape. Here the first modes have no shape.
 TEST(PairModes, PairsByShapeAlthoughTheFirstModesHaveNone) {
   ComparedDocument a = document_with({50, 100, 104}), b = document_with({52, 101, 103});
-  const auto shape = [](double x, double y, double z) {
-    return std::map<std::pair<int, int>, ComparedMode::Component>{
-        {{0, 0}, {{x, 0}, 0}}, {{1, 0}, {{y, 0}, 0}}, {{2, 0}, {{z, 0}, 0}}};
-  };
   a.modes[1].shape = b.modes[2].shape = shape(1, 1, 1);
   a.modes[2].shape = b.modes[1].shape = shape(1, 0, -1);
   const PairedModes paired = pair_modes(a, b);

@@ -6,6 +6,9 @@
 #include <span>
 
 #include "pipeline/analysis.hpp"
+#include "support/changed_record.hpp"
+#include "support/force_row.hpp"
+#include "support/messages.hpp"
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
@@ -41,20 +44,16 @@ AnalysisOptions band(double low_Hz = 60, double high_Hz = 3200) {
 std::vector<std::string> warnings_of(const acquire::Record& record, const AnalysisOptions& options = band()) {
   const Analysis analysis(record, options);
   if (!analysis.force_hits().empty() && analysis.possible()) analysis.classifications();
-  std::vector<std::string> out;
-  for (const Warning& warning : analysis.warnings()) out.push_back(warning.code + ": " + warning.message);
-  return out;
+  return test::lines_of_messages(analysis.warnings());
 }
 
-/// The record with one channel constant in the rows for which `dead` holds.
+/// The record with one channel of this constant value in the rows for which `dead` holds.
 template <class Dead>
-acquire::Record with_dead(acquire::Record record, std::size_t dead_channel, double number, Dead dead) {
-  record.read_accel_mps2 = [inner = record.read_accel_mps2, dead_channel, number, dead](
-                               std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
-    inner(row, channel, first, out);
-    if (channel == dead_channel && dead(row)) std::fill(out.begin(), out.end(), number);
-  };
-  return record;
+acquire::Record with_dead(acquire::Record record, std::size_t dead_channel, double value, Dead dead) {
+  return test::with_changed_accel(
+      std::move(record), [dead_channel, value, dead](std::size_t row, std::size_t channel, std::vector<double>& x) {
+        if (channel == dead_channel && dead(row)) std::fill(x.begin(), x.end(), value);
+      });
 }
 
 TEST(Warnings, AreNoneForAGoodTest) { EXPECT_THAT(warnings_of(synth::synthesise(bat()).record), IsEmpty()); }
@@ -84,24 +83,21 @@ TEST(Warnings, CountTheHitsNotUsed) {
 TEST(Warnings, NameAChannelThatShowsNoMode) {
   synth::SynthSpec spec = bat();
   spec.modes.push_back({.freq_Hz = 700, .damping_ratio = 0.01, .order = 2, .amplitude_per_sqrt_kg = 1.7});
-  acquire::Record record = synth::synthesise(spec).record;
-  std::vector<double> noise_mps2(record.rows.size() * record.rows[0].samples);
-  std::mt19937_64 random(7);
-  for (double& sample : noise_mps2) sample = std::normal_distribution<double>(0, 0.1)(random);
-  record.read_accel_mps2 = [inner = record.read_accel_mps2, noise_mps2, samples = record.rows[0].samples](
-                               std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
-    inner(row, channel, first, out);
-    if (channel == 1)
-      std::copy_n(noise_mps2.begin() + static_cast<std::ptrdiff_t>(row * samples + first), out.size(), out.begin());
-  };
+  const acquire::Record good = synth::synthesise(spec).record;
+  const acquire::Record record =
+      test::with_changed_accel(good, [](std::size_t row, std::size_t channel, std::vector<double>& x) {
+        if (channel != 1) return;
+        std::fill(x.begin(), x.end(), 0);
+        test::add_noise(x, 0.1, row);
+      });
   EXPECT_THAT(warnings_of(record), Contains(HasSubstr("dead_channel: accel 2 shows none of the ")));
-  EXPECT_THAT(warnings_of(synth::synthesise(spec).record), Not(Contains(HasSubstr("shows none"))));
+  EXPECT_THAT(warnings_of(good), Not(Contains(HasSubstr("shows none"))));
 }
 
 TEST(Warnings, NameADeadChannel) {
-  for (const double number : {0.0, 2.5}) {
+  for (const double value : {0.0, 2.5}) {
     const acquire::Record record =
-        with_dead(synth::synthesise(bat()).record, 1, number, [](std::size_t) { return true; });
+        with_dead(synth::synthesise(bat()).record, 1, value, [](std::size_t) { return true; });
     const auto warnings = warnings_of(record);
     EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("dead_channel: accel 2 "), HasSubstr("every accepted hit"))));
     EXPECT_THAT(warnings, Not(Contains(HasSubstr("accel 1 "))));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/json_schema.hpp"
+#include "support/messages.hpp"
 #include "support/modal_frfs.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
@@ -22,12 +23,6 @@ synth::SynthSpec bat() {
   return spec;
 }
 
-std::vector<std::string> codes_of(const Analysis& analysis) {
-  std::vector<std::string> codes;
-  for (const SkippedWork& one : skipped_work(analysis)) codes.push_back(one.code);
-  return codes;
-}
-
 double share_of(const Analysis& analysis, const std::string& code) {
   for (const SkippedWork& one : skipped_work(analysis)) {
     if (one.code == code) return one.share.value_or(1);
@@ -44,7 +39,7 @@ std::size_t calls_of(const Analysis& analysis, const std::string& name) {
 
 TEST(SkippedWork, IsEverythingAtFirstAndComputesNothing) {
   const Analysis analysis(synth::synthesise(bat()).record, {});
-  EXPECT_THAT(codes_of(analysis), ElementsAre("modes", "classes", "stabilisation", "per_hit"));
+  EXPECT_THAT(test::codes_of(skipped_work(analysis)), ElementsAre("modes", "classes", "stabilisation", "per_hit"));
   EXPECT_TRUE(analysis.trace().stages().empty());
 }
 
@@ -84,7 +79,7 @@ TEST(SkippedWork, IncludesLinesOutsideTheBandAndTheForceOutsideItsPulse) {
               1 - static_cast<double>(lines.count) / (static_cast<double>(lines.samples) / 2 + 1), 1e-12);
   EXPECT_GT(share_of(analysis, "lines"), 0.5);
   EXPECT_GT(share_of(analysis, "force_zeros"), 0.9);
-  EXPECT_THAT(codes_of(analysis), IsSupersetOf({"modes", "stabilisation"}));
+  EXPECT_THAT(test::codes_of(skipped_work(analysis)), IsSupersetOf({"modes", "stabilisation"}));
   analysis.modes();
   EXPECT_EQ(share_of(analysis, "modes"), 0);
 }

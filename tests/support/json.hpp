@@ -8,6 +8,9 @@ namespace percuss::test {
 /// nlohmann::json::parse, compiled once. Throws its exceptions.
 nlohmann::json parse_json(std::string_view text);
 
+/// The same for a text that may hold comments, /* … */ and // ….
+nlohmann::json json_ignoring_comments(std::string_view text);
+
 }  // namespace percuss::test
 
 NLOHMANN_JSON_NAMESPACE_BEGIN

@@ -14,4 +14,22 @@ inline std::vector<std::string> texts(const std::vector<Message>& notes) {
   return out;
 }
 
+/// The codes of warnings, findings and the like.
+template <class Item>
+std::vector<std::string> codes_of(const std::vector<Item>& items) {
+  std::vector<std::string> out;
+  out.reserve(items.size());
+  for (const Item& item : items) out.push_back(item.code);
+  return out;
+}
+
+/// "code: message" of each.
+template <class Item>
+std::vector<std::string> lines_of_messages(const std::vector<Item>& items) {
+  std::vector<std::string> out;
+  out.reserve(items.size());
+  for (const Item& item : items) out.push_back(item.code + ": " + item.message);
+  return out;
+}
+
 }  // namespace percuss::test

@@ -1,5 +1,7 @@
 #include "support/modal_frfs.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <map>
 #include <memory>
@@ -79,10 +81,10 @@ void add_mode(identify::FrfDataset& set, std::size_t channel, const identify::Po
 }
 
 void add_frf_noise(identify::FrfDataset& set, double deviation, std::uint64_t seed) {
-  for (std::size_t o = 0; o < set.channels.size(); ++o) {
+  for (std::size_t c = 0; c < set.channels.size(); ++c) {
     std::vector<double> noise(2 * set.lines.count);
-    synth::RandomStream({seed, o}).add_normal(deviation, noise);
-    for (std::size_t k = 0; k < set.lines.count; ++k) set.channels[o].frf[k] += Complex(noise[2 * k], noise[2 * k + 1]);
+    synth::RandomStream({seed, c}).add_normal(deviation, noise);
+    for (std::size_t k = 0; k < set.lines.count; ++k) set.channels[c].frf[k] += Complex(noise[2 * k], noise[2 * k + 1]);
   }
 }
 
@@ -105,6 +107,23 @@ void add_random_gain(identify::FrfDataset& set, std::uint64_t seed) {
   }
 }
 
+std::vector<Eigen::VectorXcd> frf_vectors(const identify::FrfDataset& set) {
+  std::vector<Eigen::VectorXcd> out;
+  const auto lines = static_cast<Eigen::Index>(set.lines.count);
+  for (const identify::FrfChannel& channel : set.channels)
+    out.emplace_back(Eigen::Map<const Eigen::VectorXcd>(channel.frf.data(), lines));
+  return out;
+}
+
+void expect_modes_near(const std::vector<identify::Mode>& found, const std::vector<identify::Pole>& truth) {
+  ASSERT_EQ(found.size(), truth.size());
+  for (std::size_t m = 0; m < truth.size(); ++m) {
+    EXPECT_LE(std::abs(found[m].pole.freq_Hz - truth[m].freq_Hz), kModeDeviations * found[m].freq_std_Hz) << m;
+    EXPECT_LE(std::abs(found[m].pole.damping_ratio - truth[m].damping_ratio), kModeDeviations * found[m].damping_std)
+        << m;
+  }
+}
+
 synth::SynthSpec bat_spec(std::vector<synth::SynthMode> modes, double duration_s) {
   synth::SynthSpec spec;
   spec.fs_Hz = 8192;
@@ -115,6 +134,13 @@ synth::SynthSpec bat_spec(std::vector<synth::SynthMode> modes, double duration_s
   spec.pretrigger_s = 0.02;
   spec.hits = 3;
   return spec;
+}
+
+synth::SynthSpec truncated_bat_spec() {
+  return bat_spec({{.freq_Hz = 120, .damping_ratio = 0.004, .residue_per_kg = {1.1, -0.4}},
+                   {.freq_Hz = 640, .damping_ratio = 0.006, .residue_per_kg = {0.5, 0.9}},
+                   {.freq_Hz = 1500, .damping_ratio = 0.02, .residue_per_kg = {-0.7, 0.2}}},
+                  0.35);
 }
 
 synth::SynthSpec roving_beam_spec(double first_in, double step_in, int points) {

@@ -33,8 +33,20 @@ void set_gated_pulse(identify::FrfDataset& set, double noise_N);
 /// Multiplies all FRFs by a random gain from the errors of the force of point 0.
 void add_random_gain(identify::FrfDataset& set, std::uint64_t seed);
 
+/// The FRF of each channel as a vector of the spectral lines.
+std::vector<Eigen::VectorXcd> frf_vectors(const identify::FrfDataset& set);
+
+/// A normal error exceeds it once in 150 000.
+inline constexpr double kModeDeviations = 4.5;
+/// Expects as many modes as true poles, with frequencies and damping ratios within kModeDeviations of their stated
+/// standard deviations.
+void expect_modes_near(const std::vector<identify::Mode>& found, const std::vector<identify::Pole>& truth);
+
 /// A bat test without noise: these modes, rows of this many seconds, accelerometers at 0° and 90°.
 synth::SynthSpec bat_spec(std::vector<synth::SynthMode> modes, double duration_s);
+
+/// A bat test with rws of 0.35 s: the mode at 120 Hz still has more than a third of its amplitude at the end.
+synth::SynthSpec truncated_bat_spec();
 
 /// A beam with one bending mode whose node lies at 7.5 in, struck once at each of `points` positions from `first_in`
 /// on.

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/json.hpp"
 #include "support/json_schema.hpp"
 #include "synth/read_spec.hpp"
 #include "synth/synthesise.hpp"
@@ -13,22 +14,18 @@ using test::schema_named;
 using test::schema_violations;
 using testing::IsEmpty;
 
-json json_ignoring_comments(std::string_view text) {
-  return json::parse(text.begin(), text.end(), nullptr, true, true);
-}
-
 TEST(SynthSchema, AcceptsEveryPresetAndTheExample) {
   const json schema = schema_named("synth");
   for (const SynthPreset& preset : synth_presets()) {
-    EXPECT_THAT(schema_violations(json_ignoring_comments(preset.text), schema), IsEmpty()) << preset.name;
+    EXPECT_THAT(schema_violations(test::json_ignoring_comments(preset.text), schema), IsEmpty()) << preset.name;
   }
-  EXPECT_THAT(schema_violations(json_ignoring_comments(synth_example()), schema), IsEmpty());
+  EXPECT_THAT(schema_violations(test::json_ignoring_comments(synth_example()), schema), IsEmpty());
 }
 
 TEST(SynthSchema, HasTheKeysOfTheReader) {
   // The example has every key, and the schema accepts it. Reader and schema both refuse an unknown key.
   const json schema = schema_named("synth");
-  json document = json_ignoring_comments(synth_example());
+  json document = test::json_ignoring_comments(synth_example());
   EXPECT_THAT(schema_violations(document, schema), IsEmpty());
   document["sampels"] = 3;
   EXPECT_EQ(schema_violations(document, schema).size(), 1U);

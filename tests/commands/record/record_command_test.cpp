@@ -14,7 +14,6 @@
 
 // percuss record with simulated devices.
 namespace percuss::record_command_test {
-namespace {
 
 using acquire::RowMark;
 using Bench = test::RecordBench;
@@ -215,5 +214,4 @@ TEST(RecordCommand, RefusesWhatItCannotRecord) {
   EXPECT_FALSE(bench.has("t.h5.journal"));
 }
 
-}  // namespace
 }  // namespace percuss::record_command_test

@@ -15,7 +15,6 @@
 
 // percuss record when a session ends early, goes on or meets faults.
 namespace percuss::record_end_test {
-namespace {
 
 namespace fs = std::filesystem;
 using Bench = test::RecordBench;
@@ -245,5 +244,4 @@ TEST(RecordEnd, ResumesAfterAKillToTheSameBytes) {
   EXPECT_GT(kills, 0);
 }
 
-}  // namespace
 }  // namespace percuss::record_end_test

@@ -11,7 +11,6 @@
 
 // The files of percuss record: the output, the report and the journal.
 namespace percuss::record_files_test {
-namespace {
 
 namespace fs = std::filesystem;
 using Bench = test::RecordBench;
@@ -187,5 +186,4 @@ TEST(RecordFiles, AreFoundFromAnotherFolder) {
   EXPECT_TRUE(bench.bytes("moved/t.h5") == expected);
 }
 
-}  // namespace
 }  // namespace percuss::record_files_test

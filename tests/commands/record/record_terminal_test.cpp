@@ -15,7 +15,6 @@
 
 // percuss record on a terminal.
 namespace percuss::record_terminal_test {
-namespace {
 
 using testing::HasSubstr;
 
@@ -116,5 +115,4 @@ TEST(RecordTerminal, NeverHoldsUpTheRecording) {
   EXPECT_EQ(terminal.blows(), 30U);
 }
 
-}  // namespace
 }  // namespace percuss::record_terminal_test

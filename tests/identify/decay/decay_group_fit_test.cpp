@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <cmath>
 #include <random>
 
 #include "core/units.hpp"
+#include "support/decay_bound.hpp"
 
 namespace percuss::identify::decay_group_fit_test {
 
@@ -63,30 +63,15 @@ DecayGroupFit fit(const FreeDecays& measured) {
   return fit_decay_group(group, spectra, spectra.lines.middleRows(1, kSamples / 2 - 1));
 }
 
-// The Cramér–Rao bound of (Re s, Im s) of each mode, from the derivatives of the samples with respect to all unknowns.
 Eigen::MatrixXd bound(double noise) {
-  const auto modes = static_cast<Eigen::Index>(truth().size()), count = static_cast<Eigen::Index>(kHits * kChannels);
-  const Eigen::Index unknowns = 2 * modes + 2 * modes * count;
-  Eigen::MatrixXd fisher = Eigen::MatrixXd::Zero(unknowns, unknowns);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(kSamples, unknowns);
-    for (Eigen::Index m = 0; m < modes; ++m) {
-      const TrueMode& mode = truth()[static_cast<std::size_t>(m)];
-      const Complex a = mode.amplitude[static_cast<std::size_t>(i)];
-      const Eigen::Index at = 2 * modes + 2 * (m * count + i);
-      for (Eigen::Index n = 0; n < by.rows(); ++n) {
-        const double t = static_cast<double>(n) / kFs_Hz;
-        const Complex e = std::exp(decay_rate_of(mode.pole).rate_radps * t);
-        by(n, 2 * m) = (a * t * e).real();
-        by(n, 2 * m + 1) = (Complex(0, 1) * a * t * e).real();
-        by(n, at) = e.real();
-        by(n, at + 1) = -e.imag();
-      }
-    }
-    const double std = noise * (1 + static_cast<double>(i % static_cast<Eigen::Index>(kChannels)));
-    fisher += by.transpose() * by / (std * std);
+  test::NoisyDecays decays{.fs_Hz = kFs_Hz, .samples = kSamples};
+  for (const TrueMode& mode : truth()) {
+    decays.poles.push_back(mode.pole);
+    decays.amplitude.push_back(mode.amplitude);
   }
-  return fisher.inverse().topLeftCorner(2 * modes, 2 * modes);
+  for (std::size_t i = 0; i < kHits * kChannels; ++i)
+    decays.noise_std.push_back(noise * (1 + static_cast<double>(i % kChannels)));
+  return test::decay_bound(decays);
 }
 
 TEST(DecayGroupFit, IsExactWithoutNoise) {

@@ -46,7 +46,7 @@ TEST(DecayNoise, FollowsNoiseThatFallsWithTheFrequency) {
 
 constexpr unsigned kTrials = 20;
 // Four standard deviations of a mean of kTrials smoothed values: one value has 0.048 at line 200, and less above.
-constexpr double kNoiseOfMean = 4 * 0.048 / 4.47;
+constexpr double kNoiseOfMean = 0.043;  // 4 · 0.048/√20
 
 /// The mean of smooth_noise_std over kTrials noises.
 Eigen::VectorXd mean_noise_std(double pole) {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 
 #include "core/units.hpp"
 #include "identify/decay/decay_modes.hpp"
+#include "support/decay_bound.hpp"
 
 namespace percuss::identify::free_decay_fit_test {
 
@@ -144,30 +144,17 @@ TEST(FreeDecays, AreAllFoundAmongMany) {
   }
 }
 
-// The Cramér–Rao bound of (Re s, Im s) of each mode, from the derivatives of the samples with respect to all unknowns.
 Eigen::MatrixXd bound(double noise) {
-  const auto modes = static_cast<Eigen::Index>(truth().size()), count = static_cast<Eigen::Index>(kHits * kChannels);
-  const Eigen::Index unknowns = 2 * modes + 2 * modes * count;
-  Eigen::MatrixXd fisher = Eigen::MatrixXd::Zero(unknowns, unknowns);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(kSamples, unknowns);
-    for (Eigen::Index m = 0; m < modes; ++m) {
-      const TrueMode& mode = truth()[static_cast<std::size_t>(m)];
-      const auto at_i = static_cast<std::size_t>(i);
-      const Complex a = mode.hit[at_i / kChannels] * mode.channel[at_i % kChannels];
-      const Eigen::Index at = 2 * modes + 2 * (m * count + i);
-      for (Eigen::Index n = 0; n < by.rows(); ++n) {
-        const double t = static_cast<double>(n) / kFs_Hz;
-        const Complex e = std::exp(decay_rate_of(mode.pole).rate_radps * t);
-        by(n, 2 * m) = (a * t * e).real();
-        by(n, 2 * m + 1) = (Complex(0, 1) * a * t * e).real();
-        by(n, at) = e.real();
-        by(n, at + 1) = -e.imag();
-      }
+  test::NoisyDecays decays{.fs_Hz = kFs_Hz, .samples = kSamples};
+  decays.noise_std.assign(kHits * kChannels, noise);
+  for (const TrueMode& mode : truth()) {
+    decays.poles.push_back(mode.pole);
+    std::vector<Complex>& amplitude = decays.amplitude.emplace_back();
+    for (const Complex hit : mode.hit) {
+      for (const Complex channel : mode.channel) amplitude.push_back(hit * channel);
     }
-    fisher += by.transpose() * by / (noise * noise);
   }
-  return fisher.inverse().topLeftCorner(2 * modes, 2 * modes);
+  return test::decay_bound(decays);
 }
 
 TEST(FreeDecays, ReachTheCramerRaoBoundWithTrueStandardDeviations) {

@@ -11,13 +11,6 @@ namespace percuss::identify::local_fit_test {
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-std::vector<VectorXcd> lines_of(const FrfDataset& set) {
-  std::vector<VectorXcd> data;
-  for (const FrfChannel& channel : set.channels)
-    data.emplace_back(Eigen::Map<const VectorXcd>(channel.frf.data(), static_cast<Eigen::Index>(set.lines.count)));
-  return data;
-}
-
 const std::vector<Complex> kResidues{{0.8, 0.1}, {-0.3, 0.02}};
 
 /// Two channels, one mode at 300.37 Hz of 1 %, on a parabolic background.
@@ -34,7 +27,7 @@ FrfDataset one_mode() {
 }
 
 LocalFit fit(const FrfDataset& set, std::vector<Pole> start, const VectorXd& weight = VectorXd::Ones(2)) {
-  return fit_locally(set, lines_of(set), weight, std::move(start), {.first = 0, .count = set.lines.count});
+  return fit_locally(set, test::frf_vectors(set), weight, std::move(start), {.first = 0, .count = set.lines.count});
 }
 
 TEST(FitLocally, IsExactOnLinesWithoutNoise) {
@@ -132,17 +125,17 @@ TEST(PoleOfWindow, IsNearlyExactOnASingleMode) {
   constexpr double kTolerance = 2e-3;
   FrfDataset set = test::empty_set(4096, 32768, 290, 310, 2);
   for (std::size_t o = 0; o < 2; ++o) test::add_mode(set, o, {300.37, 0.01}, kResidues[o]);
-  const Pole found = pole_of_window(set, lines_of(set), 0);
+  const Pole found = pole_of_window(set, test::frf_vectors(set), 0);
   EXPECT_LE(std::abs(found.freq_Hz / 300.37 - 1), 0.1 * kTolerance);
   EXPECT_LE(std::abs(found.damping_ratio / 0.01 - 1), 10 * kTolerance);
 }
 
 TEST(PoleOfWindow, IsZeroWithoutADecayingMode) {
   FrfDataset set = test::empty_set(4096, 32768, 290, 310, 1);
-  EXPECT_EQ(pole_of_window(set, lines_of(set), 0).freq_Hz, 0);
+  EXPECT_EQ(pole_of_window(set, test::frf_vectors(set), 0).freq_Hz, 0);
   test::add_mode(set, 0, {300, 0.01}, {1, 0});
   for (Complex& line : set.channels[0].frf) line = std::conj(line);  // grows instead of decaying
-  EXPECT_EQ(pole_of_window(set, lines_of(set), 0).freq_Hz, 0);
+  EXPECT_EQ(pole_of_window(set, test::frf_vectors(set), 0).freq_Hz, 0);
 }
 
 }  // namespace percuss::identify::local_fit_test

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "identify/model/point_columns.hpp"
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
@@ -14,14 +13,6 @@ double largest(const Eigen::VectorXcd& x) { return x.cwiseAbs().maxCoeff(); }
 
 Eigen::VectorXcd vector_of(const std::vector<Complex>& x) {
   return Eigen::Map<const Eigen::VectorXcd>(x.data(), static_cast<Eigen::Index>(x.size()));
-}
-
-/// Rows of 0.35 s: the mode at 120 Hz still has more than a third of its amplitude at the end.
-synth::SynthSpec truncated() {
-  return test::bat_spec({{.freq_Hz = 120, .damping_ratio = 0.004, .residue_per_kg = {1.1, -0.4}},
-                         {.freq_Hz = 640, .damping_ratio = 0.006, .residue_per_kg = {0.5, 0.9}},
-                         {.freq_Hz = 1500, .damping_ratio = 0.02, .residue_per_kg = {-0.7, 0.2}}},
-                        0.35);
 }
 
 TEST(ModeColumn, IsTheClosedFormOfAModeThatHasDecayed) {
@@ -40,7 +31,7 @@ TEST(ModeColumn, IsTheClosedFormOfAModeThatHasDecayed) {
 
 // Compares the modes' columns plus the mass line with the H1 of the record.
 double error_of_the_sum(double decay_per_s) {
-  const synth::SyntheticTest made = synth::synthesise(truncated());
+  const synth::SyntheticTest made = synth::synthesise(test::truncated_bat_spec());
   const FrfDataset set = test::frf_set_of(made.record, 40, 2000, decay_per_s);
   double worst = 0;
   for (std::size_t c = 0; c < 2; ++c) {
@@ -70,7 +61,7 @@ TEST(ModeColumn, HoldsUnderAnExponentialWindow) {
 TEST(ModeColumn, DiffersFromTheClosedFormWhereTheRecordIsTruncated) {
   // The closed form lacks the sum in (3.3) of docs/theory/theory.md and is wrong by at least 5 %. The test of the
   // truncated record above would therefore fail without this sum.
-  const synth::SyntheticTest made = synth::synthesise(truncated());
+  const synth::SyntheticTest made = synth::synthesise(test::truncated_bat_spec());
   const FrfDataset set = test::frf_set_of(made.record, 40, 2000);
   const Pole pole{.freq_Hz = 120, .damping_ratio = 0.004};
   const ModeColumn column = mode_column(pole, set.points[0], set.lines, 0, set.lines.count);
@@ -88,7 +79,7 @@ class ModeColumnSlope : public testing::TestWithParam<Setting> {};
 TEST_P(ModeColumnSlope, AgreesWithCentralDifferences) {
   constexpr double kStep = 1e-5;       // of the parameter's scale: truncation 1e-10, rounding 1e-11
   constexpr double kTolerance = 1e-7;  // of the largest: both, amplified by up to 100 near the resonance
-  synth::SynthSpec spec = truncated();
+  synth::SynthSpec spec = test::truncated_bat_spec();
   spec.samples = static_cast<std::size_t>(GetParam().duration_s * spec.fs_Hz);
   const FrfDataset set = test::frf_set_of(synth::synthesise(spec).record, 40, 2000, GetParam().decay_per_s);
   for (const Pole& pole : {Pole{120.3, 0.004}, Pole{640.1, 0.03}}) {
@@ -111,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(WithAndWithoutTruncationAndWindow, ModeColumnSlope,
 
 TEST(ModeColumn, DoesNotDependOnTheForcesUnitOrTheOrderOfHits) {
   constexpr double kTolerance = 1e-13;  // order of summation
-  const synth::SyntheticTest made = synth::synthesise(truncated());
+  const synth::SyntheticTest made = synth::synthesise(test::truncated_bat_spec());
   const FrfDataset set = test::frf_set_of(made.record, 40, 2000);
   std::vector<frf::ForceBlock> blocks(set.points[0].blocks.rbegin(), set.points[0].blocks.rend());
   std::vector<frf::Spectrum> spectra;
@@ -127,7 +118,7 @@ TEST(ModeColumn, DoesNotDependOnTheForcesUnitOrTheOrderOfHits) {
 }
 
 TEST(ModeColumn, OfAWindowIsPartOfTheFullColumn) {
-  const FrfDataset set = test::frf_set_of(synth::synthesise(truncated()).record, 40, 2000);
+  const FrfDataset set = test::frf_set_of(synth::synthesise(test::truncated_bat_spec()).record, 40, 2000);
   const Pole pole{.freq_Hz = 640, .damping_ratio = 0.004};
   constexpr double kTolerance = 1e-12;  // the phase is stepped from line to line
   const auto all = mode_column(pole, set.points[0], set.lines, 0, set.lines.count);
@@ -155,56 +146,6 @@ TEST(PointForce, RejectsALineWithoutForceEnergy) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("no energy at 2 Hz"));
-  }
-}
-
-TEST(TruncatedDecay, IsTheDifferenceOfUntruncatedAndTruncatedColumns) {
-  constexpr double kTolerance = 1e-12;  // rounding, of the largest line
-  const synth::SyntheticTest made = synth::synthesise(truncated());
-  for (const double decay_per_s : {0.0, 3.0}) {
-    const FrfDataset set = test::frf_set_of(made.record, 40, 2000, decay_per_s);
-    const Pole pole{.freq_Hz = 120, .damping_ratio = 0.004};
-    const PointForce& force = set.points[0];
-    const Eigen::VectorXcd whole = untruncated_column(pole, decay_per_s, set.lines, 5, 200, ColumnContent::value).value;
-    const Eigen::VectorXcd cut = mode_column(pole, force, set.lines, 5, 200, ColumnContent::derivatives).value;
-    ASSERT_GT((whole - cut).norm(), 1e-6 * whole.norm());
-    const std::vector<Complex> decay = TruncatedDecay(pole, decay_per_s, set.lines, 5, 200).at(force);
-    ASSERT_EQ(decay.size(), 200u);
-    for (std::size_t k = 0; k < decay.size(); ++k) {
-      const auto i = static_cast<Eigen::Index>(k);
-      EXPECT_LE(std::abs(decay[k] - (whole(i) - cut(i))), kTolerance * whole.cwiseAbs().maxCoeff());
-    }
-  }
-}
-
-// Points with one and with two hits, with and without an exponential window; one mode ends within the records.
-TEST(PointColumns, EqualTheColumnsOfEachPoint) {
-  constexpr double kTolerance = 1e-12;  // rounding, of the largest line
-  const synth::SyntheticTest made = synth::synthesise(truncated());
-  for (const double decay_per_s : {0.0, 3.0}) {
-    FrfDataset set = test::frf_set_of(made.record, 40, 2000, decay_per_s);
-    PointForce twice = set.points[0];
-    twice.blocks.push_back(twice.blocks[0]);
-    twice.blocks[1].offset += 7;
-    for (double& force : twice.blocks[1].force_N) force *= 1.5;
-    twice.spectra.push_back(test::make_spectrum(frf::force_spectrum(twice.blocks[1], set.lines)));
-    set.points.push_back(point_force(twice.blocks, twice.spectra, set.lines, 0));
-    for (const Pole& pole : {Pole{120, 0.004}, Pole{800, 0.05}}) {
-      const PointColumns columns(pole, set, 5, 200);
-      const PointValues values(pole, set, 5, 200);
-      for (const PointForce& force : set.points) {
-        const ModeColumn expected = mode_column(pole, force, set.lines, 5, 200);
-        const ModeColumn column = columns.at(force);
-        EXPECT_LE(largest(column.value - expected.value), kTolerance * largest(expected.value));
-        EXPECT_LE(largest(column.by_freq - expected.by_freq), kTolerance * largest(expected.by_freq));
-        EXPECT_LE(largest(column.by_damping - expected.by_damping), kTolerance * largest(expected.by_damping));
-        std::vector<Complex> work;
-        const auto value = values.at(force, work);
-        ASSERT_EQ(value.size(), 200u);
-        EXPECT_LE(largest(vector_of({value.begin(), value.end()}) - expected.value),
-                  kTolerance * largest(expected.value));
-      }
-    }
   }
 }
 

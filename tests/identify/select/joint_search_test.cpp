@@ -1,21 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "identify/identify.hpp"
 #include "support/modal_frfs.hpp"
 
 namespace percuss::identify::joint_search_test {
-
-constexpr double kDeviations = 4.5;  // standard deviations; a normal error exceeds them once in 150 000
-
-void expect_found(const std::vector<Mode>& found, const std::vector<Pole>& truth) {
-  ASSERT_EQ(found.size(), truth.size());
-  for (std::size_t m = 0; m < truth.size(); ++m) {
-    EXPECT_LE(std::abs(found[m].pole.freq_Hz - truth[m].freq_Hz), kDeviations * found[m].freq_std_Hz) << m;
-    EXPECT_LE(std::abs(found[m].pole.damping_ratio - truth[m].damping_ratio), kDeviations * found[m].damping_std) << m;
-  }
-}
 
 FrfDataset set_of(const std::vector<Pole>& modes) {
   FrfDataset set = test::empty_set(8192, 8192, 40, 1500, 2);
@@ -30,7 +18,7 @@ FrfDataset set_of(const std::vector<Pole>& modes) {
 // Half-power bandwidths of 68, 176 and 360 Hz: no peak has a window of its own.
 TEST(SearchJointly, FindsModesWithADampingRatioOfTwentyPerCent) {
   const std::vector<Pole> truth{{170, 0.2}, {490, 0.18}, {900, 0.2}};
-  expect_found(identify_modes(set_of(truth)), truth);
+  test::expect_modes_near(identify_modes(set_of(truth)), truth);
 }
 
 TEST(KeepClearest, GivesAsManyModesAsAskedFor) {

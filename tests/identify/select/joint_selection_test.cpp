@@ -10,10 +10,10 @@ namespace percuss::identify::joint_selection_test {
 std::vector<Eigen::VectorXcd> residual_of(const std::vector<Pole>& poles, FrfDataset set) {
   for (const Pole& pole : poles) test::add_mode(set, 0, pole, 1);
   test::add_frf_noise(set, 1e-4, 5);
-  return {Eigen::Map<const Eigen::VectorXcd>(set.channels[0].frf.data(), static_cast<Eigen::Index>(set.lines.count))};
+  return test::frf_vectors(set);
 }
 
-TEST(Misfit, OfTailsIsRemovedAndOfAMissingModeStays) {
+TEST(Misfit, IsRemovedForATailAndStaysForAMissingMode) {
   const FrfDataset empty = test::empty_set(8192, 8192, 40, 1500, 1);
   const Pole mode{.freq_Hz = 1000, .damping_ratio = 0.002}, beyond{.freq_Hz = 1550, .damping_ratio = 0.002};
   const Pole beside{.freq_Hz = 1003, .damping_ratio = 0.002};

@@ -9,15 +9,6 @@
 
 namespace percuss::identify::candidates_test {
 
-std::vector<Eigen::VectorXcd> lines_of(const FrfDataset& set) {
-  std::vector<Eigen::VectorXcd> data;
-  for (const FrfChannel& channel : set.channels) {
-    data.emplace_back(
-        Eigen::Map<const Eigen::VectorXcd>(channel.frf.data(), static_cast<Eigen::Index>(set.lines.count)));
-  }
-  return data;
-}
-
 FrfDataset three_modes() {
   FrfDataset set = test::empty_set(4096, 32768, 60, 1500, 2);
   for (const Pole& pole : {Pole{169.03, 0.01}, Pole{575.4, 0.006}, Pole{1190.06, 0.004}}) {
@@ -96,7 +87,7 @@ TEST(ResidualModePoles, AreFoundInAResidual) {
   FrfDataset residual = test::empty_set(4096, 32768, 60, 1500, 2);
   test::add_mode(residual, 0, {800, 0.004}, 30 * 0.008 * kDeviation);  // a peak of 30 standard deviations
   test::add_frf_noise(residual, kDeviation, 4);
-  const auto poles = residual_mode_poles(set, lines_of(residual));
+  const auto poles = residual_mode_poles(set, test::frf_vectors(residual));
   // Several widths show the same mode; the best one is kept. One pole lies within half the bandwidth of 6.4 Hz.
   const auto near = [](const Pole& pole) { return std::abs(pole.freq_Hz - 800) <= 0.5 * 6.4; };
   EXPECT_EQ(std::count_if(poles.begin(), poles.end(), near), 1);
@@ -106,13 +97,13 @@ TEST(ResidualModePoles, AreNotFoundInNoise) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     FrfDataset residual = test::empty_set(4096, 32768, 60, 1500, 2);
     test::add_frf_noise(residual, 0.3, seed);
-    EXPECT_TRUE(residual_mode_poles(three_modes(), lines_of(residual)).empty()) << seed;
+    EXPECT_TRUE(residual_mode_poles(three_modes(), test::frf_vectors(residual)).empty()) << seed;
   }
 }
 
 TEST(ResidualModePoles, AreNotFoundInAZeroResidual) {
   const FrfDataset residual = test::empty_set(4096, 32768, 60, 1500, 2);
-  EXPECT_TRUE(residual_mode_poles(three_modes(), lines_of(residual)).empty());
+  EXPECT_TRUE(residual_mode_poles(three_modes(), test::frf_vectors(residual)).empty());
 }
 
 TEST(PolesNear, AreThePeaksNearTheGivenFrequencies) {

@@ -33,10 +33,7 @@ TEST(TruncationRipples, AreAbsentWhereAllModesDecay) {
 
 TEST(TruncationRipples, RemainOnlyWithEnergyInTheResidual) {
   const FrfDataset set = truncated_set();
-  const auto lines = static_cast<Eigen::Index>(set.lines.count);
-  std::vector<Eigen::VectorXcd> residual;
-  for (const FrfChannel& channel : set.channels)
-    residual.emplace_back(Eigen::Map<const Eigen::VectorXcd>(channel.frf.data(), lines));
+  std::vector<Eigen::VectorXcd> residual = test::frf_vectors(set);
   EXPECT_TRUE(remains_in_residual(set, {900, 0.005}, residual));
   for (Eigen::VectorXcd& left : residual) left *= 0.1;
   EXPECT_FALSE(remains_in_residual(set, {900, 0.005}, residual));

@@ -19,16 +19,26 @@ struct Truth {
   std::vector<double> accel, velocity, deflection;
 };
 
+struct MotionAt {
+  double accel = 0, velocity = 0, deflection = 0;
+};
+
+MotionAt motion_at(double time_s) {
+  const double omega = kTwoPi * kFreq_Hz, width_s = 0.06, t = time_s - 0.6, x = t / width_s;
+  const double g = std::exp(-x * x / 2), g1 = -x / width_s * g, g2 = (x * x - 1) / (width_s * width_s) * g;
+  const double s = std::sin(omega * t), c = std::cos(omega * t);
+  return {.accel = g2 * s + 2 * g1 * omega * c - g * omega * omega * s,
+          .velocity = g1 * s + g * omega * c,
+          .deflection = g * s};
+}
+
 Truth truth() {
   Truth out;
-  const double omega = kTwoPi * kFreq_Hz, width_s = 0.06;
   for (std::size_t i = 0; i < kSamples; ++i) {
-    const double t = static_cast<double>(i) / kFs_Hz - 0.6, x = t / width_s;
-    const double g = std::exp(-x * x / 2), g1 = -x / width_s * g, g2 = (x * x - 1) / (width_s * width_s) * g;
-    const double s = std::sin(omega * t), c = std::cos(omega * t);
-    out.deflection.push_back(g * s);
-    out.velocity.push_back(g1 * s + g * omega * c);
-    out.accel.push_back(g2 * s + 2 * g1 * omega * c - g * omega * omega * s);
+    const MotionAt at = motion_at(static_cast<double>(i) / kFs_Hz);
+    out.deflection.push_back(at.deflection);
+    out.velocity.push_back(at.velocity);
+    out.accel.push_back(at.accel);
   }
   return out;
 }
@@ -55,11 +65,6 @@ TEST(IntegrateTwice, CompensatesTheHighPassOfAChargeAmplifier) {
   const double corner_Hz = 5, corner = kTwoPi * corner_Hz;
   const Truth t = truth();
   // z is integrated by RK4 from the closed form of a(t), 20 steps per sample, independently of the Laplace transform.
-  const auto accel_at = [](double time_s) {
-    const double omega = kTwoPi * kFreq_Hz, width_s = 0.06, s0 = time_s - 0.6, x = s0 / width_s;
-    const double g = std::exp(-x * x / 2), g1 = -x / width_s * g, g2 = (x * x - 1) / (width_s * width_s) * g;
-    return g2 * std::sin(omega * s0) + 2 * g1 * omega * std::cos(omega * s0) - g * omega * omega * std::sin(omega * s0);
-  };
   std::vector<double> y;
   double z = 0;
   const int steps = 20;
@@ -68,7 +73,7 @@ TEST(IntegrateTwice, CompensatesTheHighPassOfAChargeAmplifier) {
     y.push_back(t.accel[i] - z);
     for (int k = 0; k < steps; ++k) {
       const double at = static_cast<double>(i) / kFs_Hz + k * h;
-      const auto slope = [&](double time_s, double value) { return corner * (accel_at(time_s) - value); };
+      const auto slope = [&](double time_s, double value) { return corner * (motion_at(time_s).accel - value); };
       const double k1 = slope(at, z), k2 = slope(at + h / 2, z + h / 2 * k1), k3 = slope(at + h / 2, z + h / 2 * k2),
                    k4 = slope(at + h, z + h * k3);
       z += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);

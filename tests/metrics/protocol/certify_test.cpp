@@ -9,10 +9,12 @@
 
 #include "metrics/protocol/performance.hpp"
 #include "support/input_error.hpp"
+#include "support/messages.hpp"
 #include "synth/random_stream.hpp"
 
 namespace percuss::metrics::certify_test {
 
+using test::codes_of;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::Field;
@@ -44,13 +46,6 @@ SessionShot shot_with(const Session& s, double z_in, double value, int number = 
           .out_mph = (value - 0.5) * (in + delta) + delta};
 }
 
-std::vector<std::string> codes_of(const std::vector<ProtocolFinding>& findings) {
-  std::vector<std::string> codes;
-  codes.reserve(findings.size());
-  for (const auto& finding : findings) codes.push_back(finding.code);
-  return codes;
-}
-
 // Fires every shot that certify() asks for, at most `most`.
 Certification run_session(Session& s, const std::function<double(double)>& barrel, std::size_t most = 2000) {
   Certification c = certify(s);
@@ -75,7 +70,7 @@ TEST(Certify, FindsTheSweetSpotAndPassesABatWithinTheLimit) {
   const Certification c = run_session(s, peak);
   EXPECT_EQ(c.verdict, CertifyVerdict::pass);
   EXPECT_EQ(c.sweet_spot_in, 5.5);
-  EXPECT_NEAR(*c.best, 0.72, 1e-12);
+  EXPECT_NEAR(*c.best, 0.72, kRounding);
   EXPECT_EQ(c.next.code, "stop");
   EXPECT_EQ(s.shots.size(), 6 * 4U);  // 6, 5, 7, 5.5
 }
@@ -286,7 +281,6 @@ TEST(Certify, CorrectsByTheLotAfterThirtyHits) {
   EXPECT_EQ(c.next.left, 1U);
   s.lot.hits.push_back({.ball = "last", .ball_g = 145.4, .in_mph = 134.5, .out_mph = 30});
   c = certify(s);
-  constexpr double kRounding = 1e-12;
   EXPECT_NEAR(*c.correction, 0.231 - (29 * 31 / 136.0 + 30 / 134.5) / 30, kRounding);
   s.shots = {shot_with(s, 6, 0.7)};
   EXPECT_NEAR(certify(s).locations[0].mean, 0.7 + *c.correction, kRounding);
@@ -299,7 +293,7 @@ TEST(Certify, JudgesByBbcorWhereAsked) {
   const SessionShot shot = shot_with(s, 6, 0.7);
   s.shots = {shot};
   const double k = ball_to_bat_inertia(0.1454, 33 * kInch_m, 6 * kInch_m, 9600 * kOunceInch2_kgm2);
-  EXPECT_NEAR(certify(s).locations[0].mean, bbcor_of(0.7, k), 1e-12);
+  EXPECT_NEAR(certify(s).locations[0].mean, bbcor_of(0.7, k), kRounding);
 }
 
 TEST(Certify, NeedsTheMomentOfInertiaForBbcor) {
@@ -373,12 +367,12 @@ TEST(Certify, GivesAllMetricsOfALocation) {
     const Certification c = certify(s);
     ASSERT_EQ(c.best_location, 0U);
     const LocationMetrics& m = c.locations[0].metrics;
-    EXPECT_NEAR(m.besr, besr, 1e-12);
-    EXPECT_NEAR(m.ncaa_besr, besr, 1e-12);  // at 136 mph both are the same
-    EXPECT_NEAR(*m.bbcor, bbcor / 6, 1e-12);
+    EXPECT_NEAR(m.besr, besr, kRounding);
+    EXPECT_NEAR(m.ncaa_besr, besr, kRounding);  // at 136 mph both are the same
+    EXPECT_NEAR(*m.bbcor, bbcor / 6, kRounding);
     EXPECT_NEAR(*m.swing_mph, swing_mph, 1e-9);
     EXPECT_NEAR(*m.bbs_mph, 70 * (besr - 0.5) + swing_mph * (besr + 0.5), 1e-9);
-    EXPECT_NEAR(c.locations[0].mean, metric == PerformanceMetric::bbcor ? *m.bbcor : m.besr, 1e-12);
+    EXPECT_NEAR(c.locations[0].mean, metric == PerformanceMetric::bbcor ? *m.bbcor : m.besr, kRounding);
   }
   s.metric = PerformanceMetric::besr;
   s.bat.moi_ozin2.reset();

@@ -4,26 +4,19 @@
 #include <gtest/gtest.h>
 
 #include "core/units.hpp"
-#include "metrics/protocol/abi_log.hpp"
 #include "support/input_error.hpp"
+#include "support/json.hpp"
 #include "support/json_schema.hpp"
+#include "support/text_parts.hpp"
 
 namespace percuss::metrics::session_test {
 
 using test::input_error_of;
 using testing::HasSubstr;
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 std::string refusal(const std::string& text) {
   return input_error_of([&] { parse_session(text, "s.json"); });
 }
-
-nlohmann::json without_comments(const std::string& text) { return nlohmann::json::parse(text, nullptr, true, true); }
 
 TEST(Session, ExampleReadsBackAndFollowsItsSchema) {
   const Session s = parse_session(session_example(), "s.json");
@@ -33,7 +26,7 @@ TEST(Session, ExampleReadsBackAndFollowsItsSchema) {
   EXPECT_EQ(s.shots[0].in_mph, 136.2);
   EXPECT_NEAR(s.shots[1].in_mph, (136.4 + 136.1 + 135.8) / 3, 1e-12);
   EXPECT_NEAR(s.shots[2].pairs_in_mph.at(1), 6 * kInch_m / 0.002507 / 0.44704, 1e-9);
-  EXPECT_THAT(test::schema_violations(without_comments(session_example()), test::schema_named("session")),
+  EXPECT_THAT(test::schema_violations(test::json_ignoring_comments(session_example()), test::schema_named("session")),
               testing::IsEmpty());
 }
 
@@ -59,15 +52,16 @@ TEST(Session, TableMayUseSemicolonsDecimalCommasAndLists) {
 }
 
 TEST(Session, FourGatesInARowMakeThreePairs) {
-  const Session s = parse_session(
-      replaced(session_example(), "[0.0, 0.002506, 0.004, 0.006507, 0.008, 0.010509]", "[0, 0.0025, 0.005, 0.0075]"),
-      "s.json");
+  const Session s =
+      parse_session(test::replaced_once(session_example(), "[0.0, 0.002506, 0.004, 0.006507, 0.008, 0.010509]",
+                                        "[0, 0.0025, 0.005, 0.0075]"),
+                    "s.json");
   EXPECT_EQ(s.shots[2].pairs_in_mph.size(), 3U);
 }
 
 TEST(Session, ReadsHitsOfTheLotWithoutALocation) {
   const Session s = parse_session(
-      replaced(
+      test::replaced_once(
           session_example(), "\"correction\": ",
           R"("hits": [{"ball": "7", "ball_g": 145, "angle_deg": 1, "v_in_mph": 100, "v_out_mph": 40}], "correction": )"),
       "s.json");
@@ -78,40 +72,49 @@ TEST(Session, ReadsHitsOfTheLotWithoutALocation) {
 
 TEST(Session, NamesTheKeyThatIsWrong) {
   const std::string ok = session_example();
-  EXPECT_THAT(refusal(replaced(ok, "\"length_in\": 33", "\"length_in\": -3")), HasSubstr("bat.length_in"));
-  EXPECT_THAT(refusal(replaced(ok, "\"length_in\": 33", "\"lenght_in\": 33")), HasSubstr("bat.length_in"));
-  EXPECT_THAT(refusal(replaced(ok, "\"metric\": \"ncaa_besr\"", "\"metric\": \"speed\"")), HasSubstr("metric"));
-  EXPECT_THAT(refusal(replaced(ok, "\"range_in\": [3, 9]", "\"range_in\": [6, 9]")), HasSubstr("range_in"));
-  EXPECT_THAT(refusal(replaced(ok, "\"range_in\": [3, 9]", "\"range_in\": [3, 22]")), HasSubstr("range_in"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "\"length_in\": 33", "\"length_in\": -3")), HasSubstr("bat.length_in"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "\"length_in\": 33", "\"lenght_in\": 33")), HasSubstr("bat.length_in"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "\"metric\": \"ncaa_besr\"", "\"metric\": \"speed\"")),
+              HasSubstr("metric"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "\"range_in\": [3, 9]", "\"range_in\": [6, 9]")), HasSubstr("range_in"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "\"range_in\": [3, 9]", "\"range_in\": [3, 22]")), HasSubstr("range_in"));
   for (const char* range : {"[6]", "[0, 9]", "[3, 6.5]"}) {
-    EXPECT_THAT(refusal(replaced(ok, "\"range_in\": [3, 9]", std::string("\"range_in\": ") + range)),
+    EXPECT_THAT(refusal(test::replaced_once(ok, "\"range_in\": [3, 9]", std::string("\"range_in\": ") + range)),
                 HasSubstr("range_in"));
   }
-  EXPECT_THAT(refusal(replaced(ok, "\"ear\": 1", "\"ear\": 5")), HasSubstr("shots[0].ear"));
-  EXPECT_THAT(refusal(replaced(ok, "\"ear\": 1", "\"ear\": 0")), HasSubstr("shots[0].ear"));
-  EXPECT_THAT(refusal(replaced(ok, "\"v_in_mph\": 136.2", "\"v_in_mph\": 1362")), HasSubstr("1362 mph"));
-  EXPECT_THAT(refusal(replaced(ok, "\"v_in_mph\": 136.2", "\"v_in_mph\": 136.2, \"pairs_in_mph\": [136, 136, 136]")),
-              HasSubstr("more than one speed"));
-  EXPECT_THAT(refusal(replaced(ok, "[136.4, 136.1, 135.8]", "[136.4, -136.1, 135.8]")), HasSubstr("-136.1 mph"));
-  EXPECT_THAT(refusal(replaced(ok, "L12-001", std::string(81, 'x'))),
+  EXPECT_THAT(refusal(test::replaced_once(ok, "\"ear\": 1", "\"ear\": 5")), HasSubstr("shots[0].ear"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "\"ear\": 1", "\"ear\": 0")), HasSubstr("shots[0].ear"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "\"v_in_mph\": 136.2", "\"v_in_mph\": 1362")), HasSubstr("1362 mph"));
+  EXPECT_THAT(
+      refusal(test::replaced_once(ok, "\"v_in_mph\": 136.2", "\"v_in_mph\": 136.2, \"pairs_in_mph\": [136, 136, 136]")),
+      HasSubstr("more than one speed"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "[136.4, 136.1, 135.8]", "[136.4, -136.1, 135.8]")),
+              HasSubstr("-136.1 mph"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "L12-001", std::string(81, 'x'))),
               HasSubstr("the ball's number is empty or longer"));
-  EXPECT_THAT(refusal(replaced(ok, "\"v_in_mph\": 136.2", "\"v_in_mph\": -136")), HasSubstr("shots[0].v_in_mph"));
-  EXPECT_THAT(refusal(replaced(ok, "\"v_in_mph\": 136.2, ", "")), HasSubstr("no speed"));
-  EXPECT_THAT(refusal(replaced(ok, "0.0, 0.002506", "0.1, 0.002506")), HasSubstr("shots[2].gates_in_s"));
-  EXPECT_THAT(refusal(replaced(ok, "0.0, 0.002506, 0.004, ", "")), HasSubstr("neither four nor six times"));
-  EXPECT_THAT(refusal(replaced(ok, "[136.4, 136.1, 135.8]", "[136.4, 136.1]")), HasSubstr("shots[1].pairs_in_mph"));
-  EXPECT_THAT(refusal(replaced(ok, "[136.4, 136.1, 135.8]", "[136.4, 13610, 135.8]")), HasSubstr("13610 mph"));
-  EXPECT_THAT(refusal(replaced(ok, "\"ball\": \"" + parse_session(ok, "s").shots[0].ball + "\"", "\"ball\": \"\"")),
-              HasSubstr("the ball's number is empty or longer"));
-  EXPECT_THAT(refusal(replaced(ok, "\"ball_g\": 145.3", "\"ball_g\": \"heavy\"")), HasSubstr("shots[0].ball_g"));
-  EXPECT_THAT(refusal(replaced(ok, "percuss/session/1", "percuss/session/2")), HasSubstr("not a session"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "\"v_in_mph\": 136.2", "\"v_in_mph\": -136")),
+              HasSubstr("shots[0].v_in_mph"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "\"v_in_mph\": 136.2, ", "")), HasSubstr("no speed"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "0.0, 0.002506", "0.1, 0.002506")), HasSubstr("shots[2].gates_in_s"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "0.0, 0.002506, 0.004, ", "")), HasSubstr("neither four nor six times"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "[136.4, 136.1, 135.8]", "[136.4, 136.1]")),
+              HasSubstr("shots[1].pairs_in_mph"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "[136.4, 136.1, 135.8]", "[136.4, 13610, 135.8]")),
+              HasSubstr("13610 mph"));
+  EXPECT_THAT(
+      refusal(test::replaced_once(ok, "\"ball\": \"" + parse_session(ok, "s").shots[0].ball + "\"", "\"ball\": \"\"")),
+      HasSubstr("the ball's number is empty or longer"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "\"ball_g\": 145.3", "\"ball_g\": \"heavy\"")),
+              HasSubstr("shots[0].ball_g"));
+  EXPECT_THAT(refusal(test::replaced_once(ok, "percuss/session/1", "percuss/session/2")), HasSubstr("not a session"));
 }
 
 TEST(Session, NamesTheLineOfATable) {
-  EXPECT_THAT(refusal(replaced(session_table_example(), "145.6", "-1")), HasSubstr("line 13.ball_g"));
-  EXPECT_THAT(refusal(replaced(session_table_example(), "136.1,30.0", "136.1,30.0,1,1")), HasSubstr("line 13"));
-  EXPECT_THAT(refusal(replaced(session_table_example(), "v_in_mph", "ball")), HasSubstr("two columns"));
-  EXPECT_THAT(refusal(replaced(session_table_example(), "# bat.id = AS001", "# bat.id = a\n# bat.id = b")),
+  EXPECT_THAT(refusal(test::replaced_once(session_table_example(), "145.6", "-1")), HasSubstr("line 13.ball_g"));
+  EXPECT_THAT(refusal(test::replaced_once(session_table_example(), "136.1,30.0", "136.1,30.0,1,1")),
+              HasSubstr("line 13"));
+  EXPECT_THAT(refusal(test::replaced_once(session_table_example(), "v_in_mph", "ball")), HasSubstr("two columns"));
+  EXPECT_THAT(refusal(test::replaced_once(session_table_example(), "# bat.id = AS001", "# bat.id = a\n# bat.id = b")),
               HasSubstr("given twice"));
 }
 
@@ -138,35 +141,6 @@ TEST(Session, HoldsNoMoreThanAHundredThousandShots) {
                       R"("lab":{"temperature_f":72,"humidity_percent":50},"shots":[)" +
                       shots + "]}"),
               HasSubstr("more than 100000 shots"));
-}
-
-TEST(AbiLog, ExampleReadsBackAndFollowsItsSchema) {
-  const AbiLog log = parse_abi_log(abi_log_example(), "l.json");
-  EXPECT_EQ(log.bat, "AS333");
-  EXPECT_EQ(log.entries.size(), 8U);
-  EXPECT_THAT(test::schema_violations(without_comments(abi_log_example()), test::schema_named("abi-log")),
-              testing::IsEmpty());
-}
-
-TEST(AbiLog, NamesTheKeyThatIsWrong) {
-  const auto abi_refusal = [](const std::string& text) {
-    return input_error_of([&] { parse_abi_log(text, "l.json"); });
-  };
-  const std::string ok = abi_log_example();
-  EXPECT_THAT(abi_refusal(replaced(ok, "[612, 604, 598, 606]", "[612, 604]")), HasSubstr("entries[0].force_lbf"));
-  EXPECT_THAT(abi_refusal(replaced(ok, "[612, 604, 598, 606]", "[612, 604, 5, 1e6]")), HasSubstr("load frame"));
-  EXPECT_THAT(abi_refusal(replaced(ok, "\"do\": \"roll\"", "\"do\": \"bend\"")), HasSubstr("entries[3].do"));
-  EXPECT_THAT(abi_refusal(replaced(ok, "\"value\": 0.7138", "\"value\": 7")), HasSubstr("entries[1].value"));
-  EXPECT_THAT(abi_refusal(replaced(ok, "\"depth_in\": 0.1}", "\"depht_in\": 0.1}")), HasSubstr("entries[3].depth_in"));
-  EXPECT_THAT(abi_refusal(replaced(ok, "[612, 604, 598, 606]", "[612, 604, -5, 606]")), HasSubstr("load frame"));
-  EXPECT_TRUE(parse_abi_log(R"({"bat": {"id": "b"}, "metric": "bbcor", "entries": []})", "l.json").bbcor);
-  EXPECT_THAT(abi_refusal("{}"), HasSubstr("bat"));
-  EXPECT_THAT(abi_refusal(replaced(ok, "percuss/abi-log/1", "percuss/session/1")),
-              HasSubstr("not a log of a break-in"));
-  EXPECT_THAT(abi_refusal(R"({"bat": {"id": "b"}, "metric": "speed", "entries": []})"), HasSubstr("no such metric"));
-  std::string long_log = R"({"bat": {"id": "b"}, "entries": [)";
-  for (int i = 0; i < 10001; ++i) long_log += std::string(i > 0 ? "," : "") + R"({"do": "roll", "depth_in": 0.1})";
-  EXPECT_THAT(abi_refusal(long_log + "]}"), HasSubstr("more than 10000 entries"));
 }
 
 }  // namespace percuss::metrics::session_test

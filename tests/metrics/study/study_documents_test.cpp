@@ -106,7 +106,7 @@ TEST(StudyDocuments, RejectDocumentsOfOtherShapes) {
   EXPECT_THAT(error(R"({"schema": "percuss/certify/1", "bat": []})"), HasSubstr("does not name its bat"));
   EXPECT_THAT(error(R"({"schema": "percuss/certify/1", "bat": {"id": 3}})"), HasSubstr("does not name its bat"));
   EXPECT_THAT(error(R"({"schema": "percuss/analysis/1"})"), HasSubstr("does not name its bat"));
-  EXPECT_THAT(error(R"({"schema": 3})"), HasSubstr("???"));
+  EXPECT_THAT(error(R"({"schema": 3})"), HasSubstr("not text (doc, schema)"));
 }
 
 // Also when its id repeats or is missing.

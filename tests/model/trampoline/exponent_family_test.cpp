@@ -5,20 +5,11 @@
 #include <cmath>
 #include <random>
 
+#include "support/ccor_points.hpp"
+
 namespace percuss::model::exponent_family_test {
 
-constexpr double kMph_mps = 0.44704;
-constexpr double kA = 0.6495, kB = 0.5202;
-
-// The model's COR at the five speeds of the source ([8] in docs/theory/sources.md), by the independent solver of
-// trampoline_test.cpp.
-std::vector<MeasuredCor> exact(double std) {
-  return {{.speed_mps = 60 * kMph_mps, .cor = 0.5192180578841, .cor_std = std},
-          {.speed_mps = 80 * kMph_mps, .cor = 0.5067505983381, .cor_std = std},
-          {.speed_mps = 90 * kMph_mps, .cor = 0.5016257732107, .cor_std = std},
-          {.speed_mps = 100 * kMph_mps, .cor = 0.4970326135485, .cor_std = std},
-          {.speed_mps = 115 * kMph_mps, .cor = 0.4909280961852, .cor_std = std}};
-}
+constexpr double kA = test::kCcorStiffnessExponent, kB = test::kCcorDampingExponent;
 
 std::vector<double> hoops(double low, double step, double high) {
   std::vector<double> out;
@@ -43,7 +34,7 @@ bool is_within(const std::vector<MeasuredCor>& measured, double a, double b) {
 
 // The criterion of the source, tried on both sides of each limit.
 TEST(ExponentFamily, HoldsThePairsWithinEveryDeviation) {
-  const auto measured = exact(0.004);
+  const auto measured = test::ccor_points(0.004);
   const ExponentFit fit = fit_exponents(baseball_on_barrel(), measured);
   const auto family = exponent_family(baseball_on_barrel(), measured, fit, hoops(400, 200, 3000));
   ASSERT_GE(family.size(), 5U);
@@ -66,7 +57,7 @@ TEST(ExponentFamily, HoldsThePairsWithinEveryDeviation) {
 }
 
 TEST(ExponentFamily, IsOnePairForAHeldExponent) {
-  const auto measured = exact(0.004);
+  const auto measured = test::ccor_points(0.004);
   for (const HeldExponents held : {HeldExponents{.stiffness = true}, HeldExponents{.damping = true}}) {
     const ExponentFit fit = fit_exponents(baseball_on_barrel(), measured, held);
     const auto family = exponent_family(baseball_on_barrel(), measured, fit, hoops(800, 100, 1800));
@@ -89,7 +80,7 @@ TEST(SweepRange, StatesTheStandardDeviationOfTheOptimum) {
   const std::size_t at = 0;
   const double true_cor = rebound(baseball_on_barrel(), grid[at]).cor;
   for (int run = 0; run < kRuns; ++run) {
-    auto measured = exact(3e-5);
+    auto measured = test::ccor_points(3e-5);
     for (auto& m : measured) m.cor += m.cor_std * normal(random);
     const ExponentFit fit = fit_exponents(baseball_on_barrel(), measured);
     Trampoline fitted = baseball_on_barrel();

@@ -5,22 +5,14 @@
 #include <cmath>
 #include <random>
 
+#include "support/ccor_points.hpp"
 #include "support/input_error.hpp"
 
 namespace percuss::model::trampoline_fit_test {
 
-constexpr double kMph_mps = 0.44704;
 constexpr double kDeviation = 0.004;
 
-// The model's COR at the five speeds of the source ([8] in docs/theory/sources.md), computed outside percuss
-// with scipy as trampoline_test.cpp describes.
-std::vector<MeasuredCor> exact() {
-  return {{.speed_mps = 60 * kMph_mps, .cor = 0.5192180578841, .cor_std = kDeviation},
-          {.speed_mps = 80 * kMph_mps, .cor = 0.5067505983381, .cor_std = kDeviation},
-          {.speed_mps = 90 * kMph_mps, .cor = 0.5016257732107, .cor_std = kDeviation},
-          {.speed_mps = 100 * kMph_mps, .cor = 0.4970326135485, .cor_std = kDeviation},
-          {.speed_mps = 115 * kMph_mps, .cor = 0.4909280961852, .cor_std = kDeviation}};
-}
+std::vector<MeasuredCor> exact() { return test::ccor_points(kDeviation); }
 
 Trampoline distant_start() {
   Trampoline start = baseball_on_barrel();

@@ -2,11 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "pipeline/analysis.hpp"
+#include "support/changed_record.hpp"
+#include "support/messages.hpp"
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
@@ -38,33 +41,17 @@ synth::SynthSpec oblique_bat() {
   return spec;
 }
 
-// The record with sample n of each channel replaced by change(channel, n, all samples of the channel in this row).
-template <class Change>
-acquire::Record changed(const acquire::Record& record, Change change) {
-  acquire::Record out = record;
-  out.contiguous.clear();
-  const std::size_t samples = record.rows.front().samples;
-  out.read_accel_mps2 = [read = record.read_accel_mps2, samples, change](std::size_t row, std::size_t channel,
-                                                                         std::size_t first, std::span<double> to) {
-    std::vector<double> all(samples);
-    read(row, channel, 0, all);
-    for (std::size_t n = 0; n < to.size(); ++n) to[n] = change(channel, first + n, all);
-  };
-  return out;
-}
-
 acquire::Record late_by(const acquire::Record& record, std::size_t first, std::size_t second) {
-  return changed(record, [=](std::size_t channel, std::size_t n, const std::vector<double>& x) {
-    const std::size_t late = channel == 0 ? first : second;
-    return x[n - std::min(n, late)];
+  return test::with_changed_accel(record, [=](std::size_t, std::size_t channel, std::vector<double>& x) {
+    const auto late = static_cast<std::ptrdiff_t>(channel == 0 ? first : second);
+    std::copy_backward(x.begin(), x.end() - late, x.end());
+    std::fill_n(x.begin(), late, x.front());
   });
 }
 
 std::vector<std::string> warnings_of(const Analysis& analysis) {
   analysis.classifications();
-  std::vector<std::string> out;
-  for (const Warning& warning : analysis.warnings()) out.push_back(warning.code + ": " + warning.message);
-  return out;
+  return test::lines_of_messages(analysis.warnings());
 }
 
 const AnalysisOptions kBand{.band_Hz = std::pair{60.0, 2800.0}, .threads = 1};
@@ -140,8 +127,8 @@ TEST(ChannelFindings, NameChannelsWithTheirOwnClock) {
 TEST(ChannelFindings, NameUnitsThatDiffer) {
   const acquire::Record good = synth::synthesise(oblique_bat()).record;
   const auto scaled = [&](double first, double second) {
-    return changed(good, [=](std::size_t channel, std::size_t n, const std::vector<double>& x) {
-      return x[n] * (channel == 0 ? first : second);
+    return test::with_changed_accel(good, [=](std::size_t, std::size_t channel, std::vector<double>& x) {
+      for (double& sample : x) sample *= channel == 0 ? first : second;
     });
   };
   EXPECT_THAT(warnings_of(Analysis(scaled(1, 1000), kBand)), Contains(StartsWith("units_differ: ")));

@@ -8,11 +8,9 @@
 #include "support/live/guide_bench.hpp"
 #include "support/live/live_source.hpp"
 
-namespace percuss::first_blows_test {
-namespace {
+namespace percuss::pipeline::first_blows_test {
 
 using acquire::RowMark;
-using pipeline::GuideOptions;
 using Bench = test::GuideBench;
 using test::struck_tube;
 using testing::ElementsAre, testing::HasSubstr;
@@ -69,5 +67,4 @@ TEST(FirstBlows, SeesContactsBeforeTheSamples) {
   EXPECT_THAT(bench.witness.blows[1].grade.reason, HasSubstr("50 ms before it"));
 }
 
-}  // namespace
-}  // namespace percuss::first_blows_test
+}  // namespace percuss::pipeline::first_blows_test

@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
-namespace percuss::guidance_text_test {
-namespace {
+namespace percuss::pipeline::guidance_text_test {
 
 using acquire::RowMark;
-using pipeline::BlowGrade, pipeline::BlowReport, pipeline::LiveChannels, pipeline::Session, pipeline::SessionQuality;
-using Kind = pipeline::SessionEvent::Kind;
+using Kind = SessionEvent::Kind;
 
 LiveChannels two_responses() {
   LiveChannels channels;
@@ -18,7 +16,7 @@ LiveChannels two_responses() {
 }
 
 TEST(GuidanceText, SaysWhereAndWhatAndWhatToDo) {
-  const pipeline::SessionPlan many{.points = {3, 5, 9}, .hits = 5}, one{.hits = 5};
+  const SessionPlan many{.points = {3, 5, 9}, .hits = 5}, one{.hits = 5};
   BlowReport blow{.row = 7, .point = 5, .blow = 3, .grade = {.peak_N = -312.4, .bandwidth_Hz = 4210}};
   EXPECT_EQ(blow_text(blow, two_responses(), many),
             "Point 5 (2 of 3), blow 3 of 5 (hit 8): accepted, 312 N up to 4.21 kHz");
@@ -36,31 +34,30 @@ TEST(GuidanceText, SaysWhereAndWhatAndWhatToDo) {
 
 TEST(GuidanceText, SetsTheRangeByTheFirstBlows) {
   const LiveChannels channels = two_responses();
-  EXPECT_EQ(pipeline::range_advice({.force_range = 0.12}, channels, true),
-            "force peak at 12 % of full scale: raise the gain");
-  EXPECT_EQ(pipeline::range_advice({.force_range = 0.12}, channels, false), "");
-  EXPECT_EQ(pipeline::range_advice({.force_range = 0.5, .accel_range = 0.01, .accel_channel = 1}, channels, true),
+  EXPECT_EQ(range_advice({.force_range = 0.12}, channels, true), "force peak at 12 % of full scale: raise the gain");
+  EXPECT_EQ(range_advice({.force_range = 0.12}, channels, false), "");
+  EXPECT_EQ(range_advice({.force_range = 0.5, .accel_range = 0.01, .accel_channel = 1}, channels, true),
             "channel 3 at 1 % of full scale: raise the gain");
-  EXPECT_EQ(pipeline::range_advice({.force_range = 0.5, .accel_range = 0.95, .accel_channel = 0}, channels, false),
+  EXPECT_EQ(range_advice({.force_range = 0.5, .accel_range = 0.95, .accel_channel = 0}, channels, false),
             "hit a little softer (channel 2 at 95 % of range)");
-  EXPECT_EQ(pipeline::range_advice({}, channels, true), "");
+  EXPECT_EQ(range_advice({}, channels, true), "");
 }
 
 TEST(GuidanceText, SaysWhyAPushIsNoBlow) {
-  EXPECT_EQ(pipeline::long_push_text({.peak = 1, .peak_N = -226.6, .length_s = 0.0562}, 61.04),
+  EXPECT_EQ(long_push_text({.peak = 1, .peak_N = -226.6, .length_s = 0.0562}, 61.04),
             "a push of 227 N and 56.2 ms, 61.0 s after the start, is no blow: a hammer's contact lasts 50 ms at most; "
             "strike shorter, or use a harder tip");
 }
 
 TEST(GuidanceText, PromptsForTheNextStep) {
   Session session({.points = {1, 2, 7}, .hits = 2});
-  const auto prompt = [&] { return prompt_text(session, pipeline::RovingPart::hammer); };
+  const auto prompt = [&] { return prompt_text(session, RovingPart::hammer); };
   EXPECT_EQ(prompt(), "move the hammer to point 1 of 3, then strike");
   session.apply({.kind = Kind::blow});
   EXPECT_EQ(prompt(), "strike: point 1 of 3, blow 2 of 2");
   session.apply({.kind = Kind::go_to, .point = 7});
   EXPECT_EQ(prompt(), "move the hammer to point 7 (3 of 3), then strike");
-  EXPECT_EQ(prompt_text(session, pipeline::RovingPart::sensor), "move the sensor to point 7 (3 of 3), then strike");
+  EXPECT_EQ(prompt_text(session, RovingPart::sensor), "move the sensor to point 7 (3 of 3), then strike");
   session.apply({.kind = Kind::pause});
   EXPECT_EQ(prompt(), "paused; press space to go on");
   EXPECT_EQ(summary_text(session), "0 of 3 points complete; 1 blow counts, 0 rejected");
@@ -82,19 +79,18 @@ TEST(GuidanceText, ShowsThePrecisionAndTheOutlook) {
       .coherence = 0.9984};
   EXPECT_EQ(quality_text(quality), "2 modes in Hz: bending 1 205.047 ± 0.012, 2012.30 ± 0.10; coherence 0.998");
   EXPECT_EQ(outlook_text(quality, {}), "12 more blows halve the ± of mode 2, 0.1 Hz");
-  EXPECT_EQ(outlook_text(quality, pipeline::parse_goals("mode 2<0.05Hz, hoop 1 < 1 Hz")),
+  EXPECT_EQ(outlook_text(quality, parse_goals("mode 2<0.05Hz, hoop 1 < 1 Hz")),
             "12 more blows bring mode 2 below 0.05 Hz; hoop 1 < 1 Hz: not found yet");
   EXPECT_EQ(
-      goals_text(quality, pipeline::parse_goals("mode 2<0.05Hz, hoop 1 < 1 Hz, mode 1<1Hz")),
+      goals_text(quality, parse_goals("mode 2<0.05Hz, hoop 1 < 1 Hz, mode 1<1Hz")),
       "the goal mode 2 < 0.05 Hz is not met, ± 0.1 Hz; the goal hoop 1 < 1 Hz is not met: no such mode was found; "
       "the goal mode 1 < 1 Hz is met, ± 0.012 Hz");
-  EXPECT_EQ(pipeline::quality_text({.blows = 1}), "1 blow, no modes yet");
+  EXPECT_EQ(quality_text({.blows = 1}), "1 blow, no modes yet");
   // The digits of the ± and of the value go together, as in the tables of an analysis.
   EXPECT_EQ(
-      pipeline::quality_text(
+      quality_text(
           {.blows = 2, .modes = {{.freq_Hz = 178.49841, .freq_std_Hz = 9e-5}, {.freq_Hz = 2300, .freq_std_Hz = 12}}}),
       "2 modes in Hz: 178.498410 ± 0.000090, 2300 ± 12");
 }
 
-}  // namespace
-}  // namespace percuss::guidance_text_test
+}  // namespace percuss::pipeline::guidance_text_test

@@ -6,13 +6,11 @@
 #include <vector>
 
 #include "pipeline/live/guide.hpp"
-#include "pipeline/live/session_faults.hpp"
 #include "support/live/guide_bench.hpp"
 #include "support/live/live_source.hpp"
 
 // Faults of the capture, and blows that cannot be recorded.
-namespace percuss::guide_faults_test {
-namespace {
+namespace percuss::pipeline::guide_faults_test {
 
 using acquire::RowMark;
 using Bench = test::GuideBench;
@@ -156,17 +154,4 @@ TEST(GuideFaults, GoesOnAfterALongGap) {
   EXPECT_EQ(bench.guide->session().accepted(), 5U);
 }
 
-// A session that was killed before its first blow, resumed and killed again. Nothing is missing at the first resume, so
-// the file does not state it.
-TEST(SessionFaults, LeavesOutAResumeBeforeTheFirstSample) {
-  using acquire::CaptureFault;
-  pipeline::SessionFaults faults(1000);
-  faults.add_past({.fault = CaptureFault::resumed, .frame = 0}, 500);
-  EXPECT_TRUE(faults.for_record({}).empty());
-  faults.add_past({.fault = CaptureFault::gap, .frame = 400, .count = 100}, 500);
-  ASSERT_EQ(faults.for_record({}).size(), 1U);
-  EXPECT_EQ(faults.for_record({})[0].kind, acquire::FaultKind::gap);
-}
-
-}  // namespace
-}  // namespace percuss::guide_faults_test
+}  // namespace percuss::pipeline::guide_faults_test

@@ -12,8 +12,7 @@
 #include "synth/read_spec.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::guide_latency_test {
-namespace {
+namespace percuss::pipeline::guide_latency_test {
 
 using Clock = std::chrono::steady_clock;
 
@@ -52,11 +51,11 @@ acquire::Record eight_channels(int blows) {
 }
 
 /// The time from the end of a blow's samples to its verdict: the wait for further frames, plus the computation.
-struct Latencies : pipeline::GuideObserver {
-  const pipeline::Guide* guide = nullptr;
+struct Latencies : GuideObserver {
+  const Guide* guide = nullptr;
   Clock::time_point began;  // of the block that completed the blow
   std::vector<double> latency_s;
-  void on_blow(const pipeline::BlowReport& blow) override {
+  void on_blow(const BlowReport& blow) override {
     const double waited_s = static_cast<double>(guide->newest_frame() - blow.end_frame) / kFs_Hz;
     latency_s.push_back(waited_s + std::chrono::duration<double>(Clock::now() - began).count());
   }
@@ -69,8 +68,8 @@ TEST(GuideLatency, IsBelow100MsForEightChannelsAt51200Hz) {
   const test::LiveSource source(eight_channels(kBlows));
   test::MemoryLog log;
   Latencies latencies;
-  pipeline::Guide guide(source.format, pipeline::live_channels(source.format, {}),
-                        {.plan = {.hits = kBlows}, .length_s = 1, .folder = testing::TempDir()}, log, latencies);
+  Guide guide(source.format, live_channels(source.format, {}),
+              {.plan = {.hits = kBlows}, .length_s = 1, .folder = testing::TempDir()}, log, latencies);
   latencies.guide = &guide;
   for (std::size_t at = 0; at < source.frames(); at += kBlock) {
     latencies.began = Clock::now();
@@ -87,8 +86,7 @@ TEST(GuideLatency, IsCaughtUpAfterAStall) {
   const test::LiveSource source(eight_channels(5));
   test::MemoryLog log;
   Latencies latencies;
-  pipeline::Guide guide(source.format, pipeline::live_channels(source.format, {}), {.folder = testing::TempDir()}, log,
-                        latencies);
+  Guide guide(source.format, live_channels(source.format, {}), {.folder = testing::TempDir()}, log, latencies);
   latencies.guide = &guide;
   const auto began = Clock::now();
   for (std::size_t at = 0; at < source.frames(); at += kBlock) guide.take(source.block(at, kBlock));
@@ -97,5 +95,4 @@ TEST(GuideLatency, IsCaughtUpAfterAStall) {
   EXPECT_LT(taken_s, 4 * kSlower);
 }
 
-}  // namespace
-}  // namespace percuss::guide_latency_test
+}  // namespace percuss::pipeline::guide_latency_test

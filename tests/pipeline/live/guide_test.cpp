@@ -9,19 +9,15 @@
 #include <memory>
 
 #include "acquire/hits/hits.hpp"
-#include "pipeline/live/session_quality.hpp"
-#include "support/input_error.hpp"
 #include "support/live/guide_bench.hpp"
 #include "support/live/live_source.hpp"
 
-namespace percuss::guide_test {
-namespace {
+namespace percuss::pipeline::guide_test {
 
 using acquire::RowMark;
-using pipeline::BlowReport, pipeline::Guide, pipeline::GuideOptions, pipeline::SessionEvent;
 using Bench = test::GuideBench;
 using test::analysis_document, test::force_rows, test::struck_tube;
-using testing::ElementsAre, testing::HasSubstr;
+using testing::ElementsAre;
 using Kind = SessionEvent::Kind;
 
 constexpr const char* kFiveTimes = "0.4, 1.9, 3.4, 4.9, 6.4";
@@ -161,7 +157,7 @@ TEST(Guide, RejectsASilentChannel) {
 TEST(Guide, JudgesTheRangeByFullScale) {
   Bench bench(struck_tube(kFiveTimes, 8));
   bench.source.format.full_scale = 320;
-  bench.guide = std::make_unique<Guide>(bench.source.format, pipeline::live_channels(bench.source.format, {}),
+  bench.guide = std::make_unique<Guide>(bench.source.format, live_channels(bench.source.format, {}),
                                         GuideOptions{.folder = testing::TempDir()}, bench.log, bench.witness);
   bench.play_all();
   for (const BlowReport& blow : bench.witness.blows) {
@@ -176,7 +172,7 @@ TEST(Guide, AgreesWithTheAnalysis) {
                           R"("faults": [{"hit": 2, "kind": "double", "delay_s": 0.012, "ratio": 0.4},
                                         {"hit": 4, "kind": "weak", "ratio": 0.06}])"));
   bench.play_all();
-  const pipeline::Analysis analysis(bench.guide->record(), {});
+  const Analysis analysis(bench.guide->record(), {});
   const auto& hits = analysis.hits();
   ASSERT_EQ(hits.size(), bench.guide->session().blows().size());
   for (std::size_t h = 0; h < hits.size(); ++h)
@@ -207,7 +203,7 @@ TEST(Guide, LeavesOutBlowsWhilePaused) {
 }
 
 TEST(Guide, StopsWhenTheGoalIsMet) {
-  GuideOptions options{.plan = {.hits = 50}, .until = pipeline::parse_goals("hoop1<0.5Hz")};
+  GuideOptions options{.plan = {.hits = 50}, .until = parse_goals("hoop1<0.5Hz")};
   Bench bench(struck_tube(kFiveTimes, 8), std::move(options));
   bench.play_all();
   EXPECT_EQ(bench.witness.goals, 1U);
@@ -222,8 +218,8 @@ TEST(Guide, TakesRowsThatBeginShortlyBeforeTheirPulses) {
   source.format.pause_frames = kPause;
   test::MemoryLog log;
   test::GuideWitness witness;
-  pipeline::Guide guide(source.format, pipeline::live_channels(source.format, {}),
-                        {.plan = {.hits = 5}, .folder = testing::TempDir()}, log, witness);
+  Guide guide(source.format, live_channels(source.format, {}), {.plan = {.hits = 5}, .folder = testing::TempDir()}, log,
+              witness);
   for (std::size_t row = 0; row < 5; ++row) {
     const auto pulse = static_cast<std::size_t>((0.4 + 1.5 * static_cast<double>(row)) * 4096);
     acquire::SampleBlock block = source.block(pulse - kBefore, kRow);
@@ -234,35 +230,6 @@ TEST(Guide, TakesRowsThatBeginShortlyBeforeTheirPulses) {
   EXPECT_EQ(guide.session().accepted(), 5U);
   EXPECT_TRUE(witness.faults.empty());
   EXPECT_TRUE(guide.record().faults.empty());
-}
-
-// A replayed record without a force: its first channel is not the hammer.
-TEST(LiveChannels, RefusesChannelsThatAllMeasureResponses) {
-  const acquire::StreamFormat format{
-      .device = "file:a.csv", .fs_Hz = 1000, .channels = 2, .names = {"CH2", "CH3"}, .units = {"m/s^2", "m/s^2"}};
-  EXPECT_THAT(test::input_error_of([&] { pipeline::live_channels(format, {}); }),
-              testing::StartsWith("no channel is a force (file:a.csv)"));
-}
-
-// A sound card does not name its channels.
-TEST(LiveChannels, TakesEntriesOfASetupWithoutARoleAsResponses) {
-  const acquire::StreamFormat format{.device = "card", .fs_Hz = 48000, .channels = 4, .names = {}, .units = {}};
-  const auto found = [&](std::vector<acquire::ChannelSetup> setup) {
-    acquire::ReadOptions options;
-    options.setup = std::move(setup);
-    const pipeline::LiveChannels channels = pipeline::live_channels(format, options);
-    std::vector<std::size_t> out{channels.force};
-    out.insert(out.end(), channels.accel.begin(), channels.accel.end());
-    return out;
-  };
-  EXPECT_THAT(found({}), ElementsAre(0, 1, 2, 3));
-  EXPECT_THAT(found({{.name = "2", .role = "force"}}), ElementsAre(1, 0, 2, 3));
-  EXPECT_THAT(found({{.name = "1", .role = "force"}, {.name = "2", .angle_rad = 0}, {.name = "4", .angle_rad = 1}}),
-              ElementsAre(0, 1, 3));
-  EXPECT_THAT(found({{.name = "channel 3"}}), ElementsAre(0, 2));
-  EXPECT_THAT(found({{.name = "3", .unit = "N"}, {.name = "1", .unit = "g"}}), ElementsAre(2, 0));
-  EXPECT_THAT(test::input_error_of([&] { found({{.name = "1", .role = "ignore"}}); }),
-              HasSubstr("leaves open which channels"));
 }
 
 // A blow 0.3 s after the one before it. The response needs 0.4 s to decay by 52 dB.
@@ -305,34 +272,46 @@ TEST(Guide, GivesRowsTheirDecayAfterALongPretrigger) {
   EXPECT_GT(bench.guide->record().rows[0].samples, 4096U + 1600U);
 }
 
-std::vector<std::string> texts_of(const std::vector<pipeline::SessionProblem>& problems) {
-  std::vector<std::string> out;
-  out.reserve(problems.size());
-  for (const pipeline::SessionProblem& problem : problems) out.push_back(problem.text);
-  return out;
+// While a blow is being recorded, the key to finish takes effect after the blow; a second press takes effect at once.
+TEST(Guide, EndsByKeyAfterTheBlowThatIsBeingRecorded) {
+  for (const bool twice : {false, true}) {
+    Bench bench(struck_tube(kFiveTimes, 8));
+    bench.play(0, static_cast<std::size_t>(2 * kFs_Hz));  // in the second blow
+    bench.guide->command(Kind::finish);
+    EXPECT_FALSE(bench.guide->session().finished());
+    EXPECT_TRUE(bench.guide->has_waiting_command());
+    if (twice) bench.guide->command(Kind::finish);
+    EXPECT_EQ(bench.guide->session().finished(), twice);
+    bench.play(static_cast<std::size_t>(2 * kFs_Hz), static_cast<std::size_t>(3 * kFs_Hz));
+    EXPECT_TRUE(bench.guide->session().finished());
+    EXPECT_EQ(bench.guide->session().accepted(), twice ? 1U : 2U);
+  }
+  Bench quiet(struck_tube(kFiveTimes, 8));
+  quiet.play(0, static_cast<std::size_t>(1.5 * kFs_Hz));
+  quiet.guide->command(Kind::finish);
+  EXPECT_TRUE(quiet.guide->session().finished());
 }
 
-// A hammer that is connected the wrong way round is reported during the session, not only afterwards.
-TEST(SessionQuality, NamesWhatMakesResultsWrong) {
-  acquire::Record tube = struck_tube("0.4", 1);
-  const auto problems = [&](double sign) {
-    acquire::Record record = tube;
-    record.read_force_N = [read = tube.read_force_N, sign](std::size_t row, std::size_t first, std::span<double> out) {
-      read(row, first, out);
-      for (double& value : out) value *= sign;
-    };
-    return texts_of(pipeline::session_quality(std::move(record), {}).problems);
-  };
-  EXPECT_THAT(problems(1), testing::IsEmpty());
-  EXPECT_THAT(problems(-1), ElementsAre(HasSubstr("wrong sign")));
+TEST(Guide, NamesTheStatedLengthWhereTheNextBlowComesWithin) {
+  GuideOptions options;
+  options.length_s = 2;
+  Bench bench(struck_tube(kFiveTimes, 8), std::move(options));
+  bench.play_all();
+  ASSERT_FALSE(bench.witness.blows.empty());
+  EXPECT_EQ(bench.witness.blows[0].grade.mark, RowMark::struck_again);
+  EXPECT_EQ(bench.witness.blows[0].grade.reason, "struck again within the stated length");
+  EXPECT_EQ(bench.witness.blows[0].grade.remedy, "wait between blows, or shorten the length");
 }
 
-// A fault of the set-up, which further blows would repeat, is reported at once, too.
-TEST(SessionQuality, NamesWhatIsWrongWithTheSetUp) {
-  acquire::Record record = struck_tube("0.4", 1);
-  for (acquire::SignalInfo& signal : record.accel) signal.angle_rad.reset();
-  EXPECT_THAT(texts_of(pipeline::session_quality(std::move(record), {}).problems),
-              ElementsAre(HasSubstr("two accelerometers taken as 0° and 90° on a tube")));
+// An amplifier clips far below the converter's range. Once two blows show its level, all blows at it are clipped.
+TEST(Guide, RemembersAClippedLevelOnceTwoBlowsShowIt) {
+  Bench bench(struck_tube("0.4, 1.9, 3.4, 4.9, 6.4, 7.9, 9.4", 11, R"("recorder": {"force_clip_n": 150})"),
+              {.plan = {.hits = 9}});
+  bench.play_all();
+  const auto marks = bench.marks();
+  ASSERT_EQ(marks.size(), 7U);
+  EXPECT_EQ(bench.guide->session().accepted(), 0U);
+  for (const RowMark mark : marks) EXPECT_EQ(mark, RowMark::force_overload);
 }
 
 // A session that is killed at any frame, and resumed from the samples and events that it left, ends as if nothing had
@@ -363,7 +342,7 @@ TEST(Guide, ResumesToTheSameRecord) {
       if (by_signal) first.guide->finish();
       Bench second(tube, options);
       std::vector<SessionEvent> events;
-      for (const std::string& event : first.log.events) events.push_back(pipeline::parse_session_event(event, "test"));
+      for (const std::string& event : first.log.events) events.push_back(parse_session_event(event, "test"));
       second.guide->resume_from(events);
       second.play(0, killed, 4096);  // the journal's blocks are longer
       play(second, killed, second.source.frames());
@@ -378,5 +357,4 @@ TEST(Guide, ResumesToTheSameRecord) {
   }
 }
 
-}  // namespace
-}  // namespace percuss::guide_test
+}  // namespace percuss::pipeline::guide_test

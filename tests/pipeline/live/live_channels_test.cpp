@@ -7,11 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "support/input_error.hpp"
 #include "support/messages.hpp"
 
 namespace percuss::pipeline::live_channels_test {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 LiveChannels channels_of(std::size_t channels, std::vector<Message> notes = {}) {
   return live_channels({.device = "stdin", .fs_Hz = 1000, .channels = channels}, {}, std::move(notes));
@@ -51,6 +53,35 @@ TEST(LiveChannels, HaveTheNumbersOfTheDevice) {
   EXPECT_EQ(stated.force_number, 2U);
   EXPECT_THAT(stated.accel, ElementsAre(2));
   EXPECT_THAT(stated.accel_numbers, ElementsAre(8));
+}
+
+// A replayed record without a force: its first channel is not the hammer.
+TEST(LiveChannels, RefusesChannelsThatAllMeasureResponses) {
+  const acquire::StreamFormat format{
+      .device = "file:a.csv", .fs_Hz = 1000, .channels = 2, .names = {"CH2", "CH3"}, .units = {"m/s^2", "m/s^2"}};
+  EXPECT_THAT(test::input_error_of([&] { live_channels(format, {}); }),
+              testing::StartsWith("no channel is a force (file:a.csv)"));
+}
+
+// A sound card does not name its channels.
+TEST(LiveChannels, TakesEntriesOfASetupWithoutARoleAsResponses) {
+  const acquire::StreamFormat format{.device = "card", .fs_Hz = 48000, .channels = 4, .names = {}, .units = {}};
+  const auto found = [&](std::vector<acquire::ChannelSetup> setup) {
+    acquire::ReadOptions options;
+    options.setup = std::move(setup);
+    const LiveChannels channels = live_channels(format, options);
+    std::vector<std::size_t> out{channels.force};
+    out.insert(out.end(), channels.accel.begin(), channels.accel.end());
+    return out;
+  };
+  EXPECT_THAT(found({}), ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(found({{.name = "2", .role = "force"}}), ElementsAre(1, 0, 2, 3));
+  EXPECT_THAT(found({{.name = "1", .role = "force"}, {.name = "2", .angle_rad = 0}, {.name = "4", .angle_rad = 1}}),
+              ElementsAre(0, 1, 3));
+  EXPECT_THAT(found({{.name = "channel 3"}}), ElementsAre(0, 2));
+  EXPECT_THAT(found({{.name = "3", .unit = "N"}, {.name = "1", .unit = "g"}}), ElementsAre(2, 0));
+  EXPECT_THAT(test::input_error_of([&] { found({{.name = "1", .role = "ignore"}}); }),
+              HasSubstr("leaves open which channels"));
 }
 
 }  // namespace percuss::pipeline::live_channels_test

@@ -10,10 +10,7 @@
 #include "synth/read_spec.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::online_trigger_test {
-namespace {
-
-using pipeline::BlowEvent, pipeline::OnlineTrigger;
+namespace percuss::pipeline::online_trigger_test {
 
 std::vector<double> force_of(const acquire::Record& record) {
   std::vector<double> x(record.rows[0].samples);
@@ -179,5 +176,4 @@ TEST(OnlineTrigger, TellsWhatIsSearched) {
   EXPECT_FALSE(trigger.next().has_value());
 }
 
-}  // namespace
-}  // namespace percuss::online_trigger_test
+}  // namespace percuss::pipeline::online_trigger_test

@@ -5,11 +5,9 @@
 
 #include <limits>
 
-namespace percuss::sample_history_test {
-namespace {
+namespace percuss::pipeline::sample_history_test {
 
 using acquire::SampleBlock;
-using pipeline::SampleHistory, pipeline::SampleLoss;
 using testing::ElementsAre;
 
 // Two channels: the frame's number, and its negative.
@@ -109,5 +107,4 @@ TEST(SampleHistory, DiscardsOldFramesAndIgnoresRepeatedOnes) {
   EXPECT_THROW(history.add({.first_frame = 105, .frames = 2, .values = {1}}), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace percuss::sample_history_test
+}  // namespace percuss::pipeline::sample_history_test

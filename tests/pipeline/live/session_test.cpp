@@ -5,11 +5,9 @@
 
 #include "support/input_error.hpp"
 
-namespace percuss::session_test {
-namespace {
+namespace percuss::pipeline::session_test {
 
 using acquire::RowMark;
-using pipeline::Session, pipeline::SessionEvent;
 using Kind = SessionEvent::Kind;
 using testing::ElementsAre;
 
@@ -195,17 +193,16 @@ TEST(SessionEvents, AreTheSameAfterJson) {
       event.bandwidth_Hz = 1e4 / 3;
       event.differ = true;
     }
-    const std::string json = pipeline::json_of(event);
+    const std::string json = json_of(event);
     EXPECT_EQ(json.find('\n'), std::string::npos);
-    EXPECT_EQ(pipeline::parse_session_event(json, "journal"), event) << json;
+    EXPECT_EQ(parse_session_event(json, "journal"), event) << json;
   }
 }
 
 TEST(SessionEvents, RefuseWhatTheyDoNotKnow) {
   for (const char* text : {"", "{", "[]", R"({"event": "blow"})", R"({"event": "dance", "frame": 1})",
                            R"({"event": "blow", "frame": 1, "mark": "ugly"})", R"({"event": "blow", "frame": -1})"})
-    EXPECT_THROW(pipeline::parse_session_event(text, "journal"), InputError) << text;
+    EXPECT_THROW(parse_session_event(text, "journal"), InputError) << text;
 }
 
-}  // namespace
-}  // namespace percuss::session_test
+}  // namespace percuss::pipeline::session_test

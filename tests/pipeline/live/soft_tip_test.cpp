@@ -8,8 +8,7 @@
 #include "synth/read_spec.hpp"
 #include "synth/synthesise.hpp"
 
-namespace percuss::soft_tip_test {
-namespace {
+namespace percuss::pipeline::soft_tip_test {
 
 using Bench = test::GuideBench;
 
@@ -52,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(LengthsAndRates, SoftTip,
                          });
 
 TEST(SoftTip, ThatBeginsBeforeTheSamplesIsNoSilentChannel) {
-  pipeline::GuideOptions options;
+  GuideOptions options;
   options.pretrigger_s = 0.004;
   Bench bench(floor_at(12800, 0.02), std::move(options));
   bench.play_all();
@@ -61,5 +60,4 @@ TEST(SoftTip, ThatBeginsBeforeTheSamplesIsNoSilentChannel) {
     EXPECT_EQ(blow.grade.reason, "the samples begin within the pulse") << blow.grade.remedy;
 }
 
-}  // namespace
-}  // namespace percuss::soft_tip_test
+}  // namespace percuss::pipeline::soft_tip_test

@@ -7,11 +7,9 @@
 
 #include "core/error.hpp"
 
-namespace percuss::until_test {
-namespace {
+namespace percuss::pipeline::until_test {
 
 using identify::ModeType;
-using pipeline::LiveMode, pipeline::parse_goals, pipeline::SessionQuality;
 using testing::HasSubstr;
 
 TEST(Until, ReadsNamesNumbersAndUnits) {
@@ -91,5 +89,4 @@ TEST(FurtherBlows, FollowFromTheFallingPart) {
   EXPECT_FALSE(further_blows(mixed, 5, 0.03).has_value());
 }
 
-}  // namespace
-}  // namespace percuss::until_test
+}  // namespace percuss::pipeline::until_test

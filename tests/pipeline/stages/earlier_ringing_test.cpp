@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "pipeline/analysis.hpp"
+#include "support/messages.hpp"
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
@@ -31,12 +32,6 @@ synth::SyntheticTest struck_at(const std::vector<double>& times_s, std::uint64_t
 
 Analysis analysis_of(const acquire::Record& record) {
   return {record, {.band_Hz = std::pair{60.0, 1000.0}, .threads = 1}};
-}
-
-std::vector<std::string> codes_of(const Analysis& analysis) {
-  std::vector<std::string> codes;
-  for (const Warning& warning : analysis.warnings()) codes.push_back(warning.code);
-  return codes;
 }
 
 // Deviations of the residues' real and imaginary parts over their standard deviations.
@@ -93,8 +88,8 @@ TEST(EarlierRinging, IsStatedWhereItWasSubtracted) {
   const auto test = struck_at({0.2, 0.9, 1.6}, 1);
   const Analysis analysis = analysis_of(test.record);
   analysis.modes();
-  EXPECT_THAT(codes_of(analysis), Contains("earlier_ringing"));
-  EXPECT_THAT(codes_of(analysis), Not(Contains("not_at_rest")));
+  EXPECT_THAT(test::codes_of(analysis.warnings()), Contains("earlier_ringing"));
+  EXPECT_THAT(test::codes_of(analysis.warnings()), Not(Contains("not_at_rest")));
 }
 
 // The blow that is left out excites the structure all the same.
@@ -109,7 +104,7 @@ TEST(EarlierRinging, IsNotFoundAfterALongWait) {
   const auto test = struck_at({0.2, 8}, 3);
   const Analysis analysis = analysis_of(test.record);
   ASSERT_EQ(analysis.modes().size(), 2U);
-  EXPECT_THAT(codes_of(analysis), Not(Contains("earlier_ringing")));
+  EXPECT_THAT(test::codes_of(analysis.warnings()), Not(Contains("earlier_ringing")));
 }
 
 TEST(EarlierRinging, IsPossibleWhereAResponseMovesBeforeTheHit) {

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "pipeline/analysis.hpp"
+#include "support/messages.hpp"
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
@@ -49,12 +50,6 @@ acquire::Record record_of(const std::function<Modes(std::size_t hit)>& modes, st
 
 AnalysisOptions band() { return {.band_Hz = std::pair{60.0, 1600.0}, .threads = 1}; }
 
-std::vector<std::string> warnings_of(const Analysis& analysis) {
-  std::vector<std::string> out;
-  for (const Warning& warning : analysis.warnings()) out.push_back(warning.code + ": " + warning.message);
-  return out;
-}
-
 // The frequency differs between the hits and follows neither the force nor the order; the ± of each hit's mode contains
 // this scatter.
 TEST(HitScatter, IsPartOfTheStandardDeviationsOfSingleHits) {
@@ -87,7 +82,7 @@ TEST(HitScatter, AddsNothingToEqualHits) {
       EXPECT_EQ(mode.damping_std, mode.damping_std_parts.noise) << seed;
       EXPECT_FALSE(mode.amplitude || mode.drift);
     }
-    EXPECT_THAT(warnings_of(analysis), IsEmpty());
+    EXPECT_THAT(test::lines_of_messages(analysis.warnings()), IsEmpty());
   }
 }
 
@@ -173,7 +168,8 @@ TEST(HitScatter, NamesADriftAndIncludesIt) {
     EXPECT_NEAR(mode.pole.damping_ratio, 0.005, 4 * mode.damping_std) << "not broadened by the drift";
     EXPECT_NEAR(std::hypot(mode.freq_std_parts_Hz.noise, mode.freq_std_parts_Hz.hits, mode.freq_std_parts_Hz.misfit),
                 mode.freq_std_Hz, 1e-12);
-    EXPECT_THAT(warnings_of(analysis), Contains(HasSubstr("drifting: frequencies drift from hit to hit")));
+    EXPECT_THAT(test::lines_of_messages(analysis.warnings()),
+                Contains(HasSubstr("drifting: frequencies drift from hit to hit")));
   }
 }
 
@@ -192,7 +188,8 @@ TEST(HitScatter, NamesSofteningWithItsSlope) {
     EXPECT_NEAR(trend->freq_slope_Hz_per_N, kSlope, 5 * trend->freq_slope_std);
     EXPECT_NEAR(trend->freq_slope_Hz_per_N, kSlope, 0.05 * std::abs(kSlope));
     EXPECT_NEAR(trend->freq_at_zero_Hz, kSecond_Hz, 0.02);
-    EXPECT_THAT(warnings_of(analysis), Contains(AllOf(HasSubstr("nonlinear: "), HasSubstr("softening"))));
+    EXPECT_THAT(test::lines_of_messages(analysis.warnings()),
+                Contains(AllOf(HasSubstr("nonlinear: "), HasSubstr("softening"))));
   }
 }
 
@@ -202,7 +199,7 @@ TEST(HitScatter, IsIncludedWhereNothingExplainsIt) {
   const Analysis analysis(record_of(random, 5, 1), band());
   ASSERT_THAT(analysis.modes(), SizeIs(2));
   EXPECT_NEAR(analysis.modes().back().hit_scatter_Hz, 0.27, 0.05);  // 302 ppm of 900 Hz
-  EXPECT_THAT(warnings_of(analysis), Contains(HasSubstr("hits_differ: ")));
+  EXPECT_THAT(test::lines_of_messages(analysis.warnings()), Contains(HasSubstr("hits_differ: ")));
 }
 
 }  // namespace percuss::pipeline::hit_scatter_test

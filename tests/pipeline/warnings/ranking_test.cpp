@@ -3,20 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pipeline/warnings/hit_list.hpp"
+#include "support/messages.hpp"
 
 namespace percuss::pipeline::ranking_test {
 
 using acquire::FindingCode;
 using acquire::Severity;
+using test::codes_of;
 using testing::ElementsAre;
-
-std::vector<std::string> codes_of(const std::vector<Warning>& warnings) {
-  std::vector<std::string> codes;
-  codes.reserve(warnings.size());
-  for (const Warning& warning : warnings) codes.push_back(warning.code);
-  return codes;
-}
 
 TEST(Ranking, PutsTheMostSeriousFirst) {
   const auto out = ranked({{"truncated_decay", "c"},
@@ -77,12 +71,6 @@ TEST(TrustStatements, StateDoubleHitsOnce) {
   const auto out = trust_statements({used}, hits);
   EXPECT_THAT(codes_of(out), ElementsAre("double_hits_used", "double_hit"));
   EXPECT_EQ(out[1].message, "hit 2 (not used): what was found");
-}
-
-TEST(HitList, NamesEightHitsAndCountsTheOthers) {
-  EXPECT_EQ(hit_list({3}), "hit 4");
-  EXPECT_EQ(hit_list({0, 2}), "hits 1, 3");
-  EXPECT_EQ(hit_list({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}), "hits 1, 2, 3, 4, 5, 6, 7, 8 and 2 more");
 }
 
 }  // namespace percuss::pipeline::ranking_test

@@ -5,12 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <random>
 
 #include "pipeline/analysis.hpp"
+#include "support/changed_record.hpp"
 #include "support/force_row.hpp"
+#include "support/messages.hpp"
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
@@ -39,27 +40,11 @@ synth::SynthSpec tube(std::size_t hits = 5) {
   return spec;
 }
 
-using Change = std::function<void(std::size_t row, std::size_t channel, std::vector<double>& x)>;
-
-/// The record with `change` applied to whole rows of the accelerations.
-acquire::Record changed(acquire::Record record, const Change& change) {
-  record.read_accel_mps2 = [inner = record.read_accel_mps2, rows = record.rows, change](
-                               std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
-    std::vector<double> x(rows[row].samples);
-    inner(row, channel, 0, x);
-    change(row, channel, x);
-    std::copy_n(x.begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
-  };
-  return record;
-}
-
 AnalysisOptions band() { return {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1}; }
 
 std::vector<std::string> codes_of(const Analysis& analysis) {
   analysis.modes();
-  std::vector<std::string> codes;
-  for (const Warning& warning : analysis.warnings()) codes.push_back(warning.code);
-  return codes;
+  return test::codes_of(analysis.warnings());
 }
 
 /// Both modes and no others, within five of their standard deviations.
@@ -81,11 +66,12 @@ class MissingSamples : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(MissingSamples, AreNamedAndPredicted) {
   const std::size_t count = GetParam();
-  const Analysis analysis(changed(synth::synthesise(tube()).record,
-                                  [count](std::size_t row, std::size_t, std::vector<double>& x) {
-                                    const auto at = x.begin() + static_cast<std::ptrdiff_t>(kDecay + 100 * row);
-                                    std::move(at + static_cast<std::ptrdiff_t>(count), x.end(), at);
-                                  }),
+  const Analysis analysis(test::with_changed_accel(synth::synthesise(tube()).record,
+                                                   [count](std::size_t row, std::size_t, std::vector<double>& x) {
+                                                     const auto at =
+                                                         x.begin() + static_cast<std::ptrdiff_t>(kDecay + 100 * row);
+                                                     std::move(at + static_cast<std::ptrdiff_t>(count), x.end(), at);
+                                                   }),
                           band());
   EXPECT_THAT(codes_of(analysis), Contains("lost_samples"));
   expect_true_modes(analysis);
@@ -97,11 +83,12 @@ class Dropout : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(Dropout, IsNamedAndReplaced) {
   const std::size_t count = GetParam();
-  const Analysis analysis(changed(synth::synthesise(tube()).record,
-                                  [count](std::size_t row, std::size_t, std::vector<double>& x) {
-                                    std::fill_n(x.begin() + static_cast<std::ptrdiff_t>(kDecay + 77 * row), count, 0.0);
-                                  }),
-                          band());
+  const Analysis analysis(
+      test::with_changed_accel(synth::synthesise(tube()).record,
+                               [count](std::size_t row, std::size_t, std::vector<double>& x) {
+                                 std::fill_n(x.begin() + static_cast<std::ptrdiff_t>(kDecay + 77 * row), count, 0.0);
+                               }),
+      band());
   EXPECT_THAT(codes_of(analysis), Contains("dropout"));
   expect_true_modes(analysis);
 }
@@ -148,10 +135,11 @@ TEST(RecordFindings, NameNoClippingOfNoise) {
 
 // Too many samples to be predicted: the hit is named.
 TEST(RecordFindings, NameALongDropoutOfOneChannel) {
-  const Analysis analysis(changed(synth::synthesise(tube()).record,
-                                  [](std::size_t row, std::size_t channel, std::vector<double>& x) {
-                                    if (row == 1 && channel == 1) std::fill_n(x.begin() + kDecay, 400, 0.0);
-                                  }),
+  const Analysis analysis(test::with_changed_accel(synth::synthesise(tube()).record,
+                                                   [](std::size_t row, std::size_t channel, std::vector<double>& x) {
+                                                     if (row == 1 && channel == 1)
+                                                       std::fill_n(x.begin() + kDecay, 400, 0.0);
+                                                   }),
                           band());
   EXPECT_THAT(codes_of(analysis), Contains("dropout"));
   const auto warnings = analysis.warnings();
@@ -165,15 +153,15 @@ TEST(RecordFindings, NameALongDropoutOfOneChannel) {
 
 TEST(RecordFindings, RemoveHumThatDiffersInPhaseFromHitToHit) {
   const Analysis analysis(
-      changed(synth::synthesise(tube()).record,
-              [](std::size_t row, std::size_t channel, std::vector<double>& x) {
-                const double largest = *std::max_element(x.begin(), x.end());
-                for (std::size_t n = 0; n < x.size(); ++n) {
-                  const double turns =
-                      149.91 * static_cast<double>(n) / kRate_Hz + 0.37 * static_cast<double>(row * row);
-                  x[n] += 3e-3 * largest * std::cos(2 * std::numbers::pi * turns + static_cast<double>(channel));
-                }
-              }),
+      test::with_changed_accel(
+          synth::synthesise(tube()).record,
+          [](std::size_t row, std::size_t channel, std::vector<double>& x) {
+            const double largest = *std::max_element(x.begin(), x.end());
+            for (std::size_t n = 0; n < x.size(); ++n) {
+              const double turns = 149.91 * static_cast<double>(n) / kRate_Hz + 0.37 * static_cast<double>(row * row);
+              x[n] += 3e-3 * largest * std::cos(2 * std::numbers::pi * turns + static_cast<double>(channel));
+            }
+          }),
       band());
   EXPECT_THAT(codes_of(analysis), Contains("hum"));
   ASSERT_EQ(analysis.modes().size(), 2U);
@@ -183,16 +171,16 @@ TEST(RecordFindings, RemoveHumThatDiffersInPhaseFromHitToHit) {
 TEST(RecordFindings, RemoveAHarmonicOfTheMainsWithEqualPhasesAtAllHits) {
   // The fundamental has another phase at each hit. The fifth harmonic alone looks like a mode without damping.
   const Analysis analysis(
-      changed(synth::synthesise(tube()).record,
-              [](std::size_t row, std::size_t, std::vector<double>& x) {
-                const double largest = *std::max_element(x.begin(), x.end());
-                for (std::size_t n = 0; n < x.size(); ++n) {
-                  const double turns = 49.97 * static_cast<double>(n) / kRate_Hz;
-                  x[n] +=
-                      3e-3 * largest * std::cos(2 * std::numbers::pi * (turns + 0.37 * static_cast<double>(row * row)));
-                  x[n] += 1e-3 * largest * std::cos(2 * std::numbers::pi * 5 * turns);
-                }
-              }),
+      test::with_changed_accel(
+          synth::synthesise(tube()).record,
+          [](std::size_t row, std::size_t, std::vector<double>& x) {
+            const double largest = *std::max_element(x.begin(), x.end());
+            for (std::size_t n = 0; n < x.size(); ++n) {
+              const double turns = 49.97 * static_cast<double>(n) / kRate_Hz;
+              x[n] += 3e-3 * largest * std::cos(2 * std::numbers::pi * (turns + 0.37 * static_cast<double>(row * row)));
+              x[n] += 1e-3 * largest * std::cos(2 * std::numbers::pi * 5 * turns);
+            }
+          }),
       band());
   EXPECT_THAT(codes_of(analysis), Contains("hum"));
   ASSERT_EQ(analysis.modes().size(), 2U);
@@ -201,11 +189,12 @@ TEST(RecordFindings, RemoveAHarmonicOfTheMainsWithEqualPhasesAtAllHits) {
 
 TEST(RecordFindings, NameAnExponentialWindowByTheDecayOfTheNoise) {
   const double decay_per_s = 3;
-  const Analysis analysis(changed(synth::synthesise(tube()).record,
-                                  [&](std::size_t, std::size_t, std::vector<double>& x) {
-                                    for (std::size_t n = 0; n < x.size(); ++n)
-                                      x[n] *= std::exp(-decay_per_s * static_cast<double>(n) / kRate_Hz);
-                                  }),
+  const Analysis analysis(test::with_changed_accel(synth::synthesise(tube()).record,
+                                                   [&](std::size_t, std::size_t, std::vector<double>& x) {
+                                                     for (std::size_t n = 0; n < x.size(); ++n)
+                                                       x[n] *=
+                                                           std::exp(-decay_per_s * static_cast<double>(n) / kRate_Hz);
+                                                   }),
                           band());
   EXPECT_THAT(codes_of(analysis), Contains("already_windowed"));
 }
@@ -227,24 +216,26 @@ TEST(RecordFindings, NameAnAcCoupledForce) {
 
 TEST(RecordFindings, RemoveAZeroShiftAndASlope) {
   const acquire::Record good = synth::synthesise(tube()).record;
-  const Analysis step(changed(good,
-                              [](std::size_t, std::size_t, std::vector<double>& x) {
-                                const auto peak = std::max_element(x.begin(), x.end());
-                                const double size = 0.05 * *peak;
-                                for (auto at = peak; at != x.end(); ++at)
-                                  *at += size * std::exp(-static_cast<double>(at - peak) / (0.3 * kRate_Hz));
-                              }),
+  const Analysis step(test::with_changed_accel(good,
+                                               [](std::size_t, std::size_t, std::vector<double>& x) {
+                                                 const auto peak = std::max_element(x.begin(), x.end());
+                                                 const double size = 0.05 * *peak;
+                                                 for (auto at = peak; at != x.end(); ++at)
+                                                   *at += size *
+                                                          std::exp(-static_cast<double>(at - peak) / (0.3 * kRate_Hz));
+                                               }),
                       band());
   EXPECT_THAT(codes_of(step), Contains("zero_shift"));
   ASSERT_EQ(step.modes().size(), 2U);
   EXPECT_NEAR(step.modes()[0].pole.damping_ratio, 0.02, 2e-4);
-  const Analysis slope(changed(good,
+  const Analysis slope(
+      test::with_changed_accel(good,
                                [](std::size_t, std::size_t, std::vector<double>& x) {
                                  const double size = 0.06 * *std::max_element(x.begin(), x.end());
                                  for (std::size_t n = 0; n < x.size(); ++n)
                                    x[n] += size * (5 + static_cast<double>(n) / static_cast<double>(x.size()));
                                }),
-                       band());
+      band());
   EXPECT_THAT(codes_of(slope), Contains("offset"));
   ASSERT_EQ(slope.modes().size(), 2U);
   EXPECT_NEAR(slope.modes()[0].pole.damping_ratio, 0.02, 2e-4);

@@ -7,56 +7,25 @@
 #include "acquire/open_measurement.hpp"
 #include "acquire/write_record.hpp"
 #include "report/html/html_page.hpp"
-#include "report/json/quantised_curve.hpp"
 #include "report/text/digest.hpp"
-#include "report/text/html_escape.hpp"
 #include "support/json.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
+#include "support/text_parts.hpp"
 
 namespace percuss::report::analysis_page_test {
 
+using test::between;
 using test::run_percuss;
 using testing::HasSubstr;
 using testing::Not;
-
-std::string between(const std::string& text, const std::string& from, const std::string& to) {
-  const std::size_t start = text.find(from) + from.size();
-  return text.substr(start, text.find(to, start) - start);
-}
 
 nlohmann::json data_of(const std::string& page) {
   auto parts = nlohmann::json::parse(between(page, R"(<script type="application/json" id="data">)", "</script>"));
   nlohmann::json all = nlohmann::json::object();
   for (const auto& part : parts) all.update(part);
   return all;
-}
-
-// FIPS 180-2, appendix B, and RFC 4648, section 10.
-TEST(Digest, MatchesTheStandardsExamples) {
-  EXPECT_EQ(hexadecimal(sha256("abc")), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  const auto coded = [](std::string_view text) {
-    return base64({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-  };
-  EXPECT_EQ(coded(""), "");
-  EXPECT_EQ(coded("f"), "Zg==");
-  EXPECT_EQ(coded("fo"), "Zm8=");
-  EXPECT_EQ(coded("foobar"), "Zm9vYmFy");
-}
-
-TEST(HtmlText, EscapesMarkup) {
-  EXPECT_EQ(html_escape("a<b>&\"'\n"), "a&lt;b&gt;&amp;&quot;&#39; ");
-  EXPECT_EQ(html_escape("90° \xF0\x9F\x8F\x8F"), "90° \xF0\x9F\x8F\x8F");
-  EXPECT_EQ(html_escape("\xFF\xC0\xAFx\xED\xA0\x80"), "\uFFFD\uFFFD\uFFFDx\uFFFD\uFFFD\uFFFD");
-}
-
-TEST(QuantisedCurve, KeepsTheResolutionOfThePlot) {
-  const QuantisedCurve numbers = quantised_curve(std::vector<double>{-3, 1, std::nan("")}, 0.5);
-  EXPECT_EQ(numbers.from, -3);
-  EXPECT_EQ(numbers.step, 0.5);
-  const std::vector<std::uint8_t> bytes{0, 0, 8, 0, 255, 255};
-  EXPECT_EQ(numbers.u16, base64(bytes));
 }
 
 class AnalysisPage : public testing::Test {

@@ -7,17 +7,14 @@
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/synthetic_files.hpp"
+#include "support/text_parts.hpp"
 
 // What makes a page a test report: its title block, its section "Method", and the PDF.
 namespace percuss::report::method_section_test {
 
+using test::between;
 using test::run_percuss;
 using testing::HasSubstr;
-
-std::string between(const std::string& text, const std::string& from, const std::string& to) {
-  const std::size_t start = text.find(from) + from.size();
-  return text.substr(start, text.find(to, start) - start);
-}
 
 class TestReport : public testing::Test {
  protected:
