@@ -140,7 +140,7 @@ int nodes(const NodesFlags& flags) {
   std::optional<pipeline::ScanPositions> stated;
   if (flags.positions) stated = parse_positions(*flags.positions);
   check_outputs(flags.output, {".json", ".csv", ".svg", ".html"});
-  const Progress progress("analysing", flags.output.quiet);
+  Progress progress("analysing", flags.output.quiet);
   const OpenScan opened = open_scan(flags, stated);
   if (flags.output.host != nullptr) flags.output.host->outcome.analyses = {opened.analysis};
   const pipeline::Analysis& analysis = *opened.analysis;
