@@ -18,7 +18,7 @@ namespace {
 constexpr std::uintptr_t kPage = std::uintptr_t{1} << 21U;
 constexpr std::uintptr_t kThreadHeap = std::uintptr_t{1} << 26U;  // size and alignment of a thread's heap in glibc
 constexpr int kMainHeap = 1 << 29;                                // bytes reserved; a page takes memory at first use
-constexpr int kSmallestHeap = 1 << 26;                            // below this, large pages do not pay
+constexpr int kMinHeap = 1 << 26;                                 // below this, large pages do not pay
 
 // Each step of an analysis allocates what the previous one freed. Fetching the pages from the system again would take
 // longer than many steps.
@@ -49,13 +49,13 @@ int largest_heap() {
 }
 
 // A page is large only where the heap already owns its addresses, so the heap must not grow in small steps. Halves the
-// request until the system grants it; false if the system denies even kSmallestHeap.
+// request until the system grants it; false if the system denies even kMinHeap.
 bool enlarge_main_heap() {
   constexpr std::size_t kBeyondFirstHeap = std::size_t{1} << 20U;
   constexpr int kDefaultTopPad = 1 << 17;
   char* const before = heap_end();
   bool grown = false;
-  for (int heap = largest_heap(); heap >= kSmallestHeap && !grown; heap /= 2) {
+  for (int heap = largest_heap(); heap >= kMinHeap && !grown; heap /= 2) {
     ::mallopt(M_TOP_PAD, heap);
     void* volatile const block = std::malloc(kBeyondFirstHeap);  // volatile: otherwise the compiler removes the call
     std::free(block);

@@ -136,7 +136,7 @@ void Journal::finish(std::size_t index, bool failed, const std::vector<std::stri
 void Journal::leave_open(std::size_t index, const std::string& reason) {
   const std::scoped_lock lock(mutex_);
   try {
-    append(fmt::format("{}{} {}\n", kOpen, index, one_line(reason, kLongestReason_bytes)));
+    append(fmt::format("{}{} {}\n", kOpen, index, one_line(reason, kMaxReason_bytes)));
   } catch (const MachineFault&) {
     // The disk has no room for the reason either. The record is open without it.
   }

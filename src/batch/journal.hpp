@@ -59,7 +59,7 @@ class Journal {
   bool incomplete_ = false;  // the file ends with a line that could not be written whole
 };
 
-inline constexpr std::size_t kLongestReason_bytes = 1000;  // of a record left open
+inline constexpr std::size_t kMaxReason_bytes = 1000;  // of a record left open
 
 /// Removes the journal of a finished shard if a process was killed before it could do so. A journal that another
 /// process has locked stays. errors  InputError: the file is not a journal

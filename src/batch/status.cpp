@@ -16,7 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-
 void add_unfinished(BatchStatus& status, const Manifest& manifest, const std::string& path) {
   const JournalState state = journal_state(path);
   status.finished += state.finished;
@@ -77,7 +76,7 @@ std::string status_text(const BatchStatus& status) {
   if (!status.open.empty()) text += fmt::format("left open by a fault of the machine: {}\n", status.open.size());
   std::size_t named = 0;
   for (const auto& [id, reason] : status.open) {
-    if (named++ < kMaxNamed) text += fmt::format("  {}: {}\n", one_line(id), one_line(reason, kLongestReason_bytes));
+    if (named++ < kMaxNamed) text += fmt::format("  {}: {}\n", one_line(id), one_line(reason, kMaxReason_bytes));
   }
   for (std::size_t i = 0; i < std::min(status.stuck.size(), kMaxNamed); ++i)
     text += fmt::format("begun more than once, never finished: {}\n", one_line(status.stuck[i]));

@@ -108,17 +108,17 @@ LineChart series_chart(const std::vector<NumericColumn>& columns) {
 }  // namespace
 
 CommandReport impact_report(const model::Impact& impact, const model::ImpactResult& result,
-                            const std::vector<ImpactSweep>& sweeps, const model::BeamStructure* shaped,
+                            const std::vector<ImpactSweep>& sweeps, const model::BeamStructure* nonuniform,
                             const StructureOrigin& origin) {
   CommandReport report;
   Json json = document(impact.speed_mps, result, sweeps);
-  if (shaped != nullptr) {
+  if (nonuniform != nullptr) {
     std::vector<double> elastic_Hz;
     for (const double omega : result.omega_radps) {
       if (omega > 0) elastic_Hz.push_back(omega / kTwoPi);
     }
-    add_structure_json(*shaped, origin, elastic_Hz, json);
-    add_structure_text(*shaped, origin, elastic_Hz, "x = 0", report.text);
+    add_structure_json(*nonuniform, origin, elastic_Hz, json);
+    add_structure_text(*nonuniform, origin, elastic_Hz, "x = 0", report.text);
   }
   report.json = indented_text(json) + "\n";
   report.text += result_text(impact, result);

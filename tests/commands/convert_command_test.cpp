@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "support/json.hpp"
+#include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/small_records.hpp"
@@ -125,6 +126,28 @@ TEST_F(ConvertCommand, ListsLostInformation) {
   EXPECT_EQ(convert("bat.h5", "k.uff").err, "");
   EXPECT_THAT(convert("bat.h5", "k.csv").err, HasSubstr("not kept: the sensors' angles"));
   EXPECT_EQ(convert("bat.h5", "k.csv", {"--quiet"}).err, "");
+}
+
+TEST_F(ConvertCommand, PrintsADocumentOfWhatWasWritten) {
+  EXPECT_EQ(convert("bat.h5", "j.csv").out, "");
+  const auto record = convert("bat.h5", "j.csv", {"--json"});
+  ASSERT_EQ(record.code, 0) << record.err;
+  EXPECT_THAT(record.err, HasSubstr("not kept: the sensors' angles"));
+  const json document = test::parse_json(record.out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("convert")), testing::IsEmpty());
+  EXPECT_EQ(document["inputs"][0]["path"], file("bat.h5"));
+  EXPECT_EQ(document["output"]["path"], file("j.csv"));
+  EXPECT_EQ(document["output"]["bytes"], test::bytes_of(file("j.csv")).size());
+  EXPECT_EQ(document["content"], "record");
+  EXPECT_EQ(document["responses"], 2);
+  EXPECT_EQ(document["force"], true);
+  EXPECT_THAT(document["not_kept"].dump(), HasSubstr("the sensors' angles"));
+  const json frfs = test::parse_json(convert("frf.h5", "j.mat", {"--json", "--frf-kind", "mobility"}).out);
+  EXPECT_THAT(test::schema_violations(frfs, test::schema_named("convert")), testing::IsEmpty());
+  EXPECT_EQ(frfs["content"], "frfs");
+  EXPECT_EQ(frfs["frf_kind"], "mobility");
+  EXPECT_EQ(frfs["points"], 1);
+  EXPECT_EQ(frfs["responses"], 2);
 }
 
 TEST_F(ConvertCommand, RemovesTheLeftoversOfAKilledWriterOfAnyFormat) {

@@ -63,11 +63,11 @@ std::shared_ptr<acquire::ForkServer> fork_server_for(const ReadFlags& flags, con
 
 // The files to open, in their order.
 struct OrderedFiles {
-  ReadFlags flags;               // with their paths
-  std::set<std::string> named;   // the paths as typed; others were found in folders and by patterns
-  std::optional<Message> note;   // where the order is not the one given
-  std::optional<Message> other;  // files of folders that were left out by their extensions
-  bool in_folder(std::size_t i) const { return i < flags.paths.size() && !named.contains(flags.paths[i]); }
+  ReadFlags flags;                        // with their paths
+  std::set<std::string> named;            // the paths as typed; others were found in folders and by patterns
+  std::optional<Message> order_note;      // where the order is not the one given
+  std::optional<Message> extension_note;  // files of folders that were left out by their extensions
+  bool was_found(std::size_t i) const { return i < flags.paths.size() && !named.contains(flags.paths[i]); }
 };
 
 std::string file_name(const std::string& path) { return one_line(std::filesystem::path(path).filename().string(), 40); }
@@ -122,7 +122,7 @@ std::vector<std::optional<Opened>> for_each_file(const OrderedFiles& found, bool
   });
   const bool any = std::any_of(opened.begin(), opened.end(), [](const auto& one) { return one.has_value(); });
   for (std::size_t i = 0; i < failed.size(); ++i) {
-    const bool beside_others = any && found.in_folder(i);
+    const bool beside_others = any && found.was_found(i);
     if (!failed[i] || (beside_others && is_no_record(failed[i]))) continue;
     if (beside_others) refuse_beside_others(failed[i], flags.paths[i]);
     std::rethrow_exception(failed[i]);
@@ -168,26 +168,27 @@ bool is_folder(const std::string& path) {
 }
 
 OrderedFiles found_in_order(const ReadFlags& given) {
-  OrderedFiles found{.flags = given, .named = {given.paths.begin(), given.paths.end()}, .note = {}, .other = {}};
+  OrderedFiles found{
+      .flags = given, .named = {given.paths.begin(), given.paths.end()}, .order_note = {}, .extension_note = {}};
   if (has_in_memory_inputs(given)) return found;
   FoundFiles files = found_files(given.paths);
   found.flags.paths = std::move(files.paths);
   if (!files.left_out.empty()) {
-    found.other = information(fmt::format("left out, because {} known extension: {}; name a file to read it",
-                                          files.left_out.size() == 1 ? "it has no" : "they have no",
-                                          listed_names(files.left_out)));
+    found.extension_note = information(fmt::format("left out, because {} known extension: {}; name a file to read it",
+                                                   files.left_out.size() == 1 ? "it has no" : "they have no",
+                                                   listed_names(files.left_out)));
   }
-  found.note = order_naturally(found.flags);
-  if (given.files == acquire::FileGrouping::tests) found.note.reset();  // tests are told apart by their names
+  found.order_note = order_naturally(found.flags);
+  if (given.files == acquire::FileGrouping::tests) found.order_note.reset();  // tests are told apart by their names
   return found;
 }
 
 // Adds the notes to the record or the FRFs of each file.
 template <class Opened>
 void add_notes(const OrderedFiles& found, const std::optional<Message>& left_out, Opened& one) {
-  if (found.note) one.notes.push_back(*found.note);
+  if (found.order_note) one.notes.push_back(*found.order_note);
   if (left_out) one.notes.push_back(*left_out);
-  if (found.other) one.notes.push_back(*found.other);
+  if (found.extension_note) one.notes.push_back(*found.extension_note);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ Progress::Progress(std::function<std::string(double seconds)> text, bool quiet) 
 
 Progress::~Progress() { stop(); }
 
-void Progress::stop() const {
+void Progress::stop() {
   if (!thread_.joinable()) return;
   {
     const std::scoped_lock lock(mutex_);

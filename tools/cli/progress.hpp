@@ -1,5 +1,4 @@
 #pragma once
-#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -18,16 +17,16 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   /// Erases the line. Call it before other output; repeated calls have no effect.
-  void stop() const;
+  void stop();
 
  private:
   void show();
 
   std::function<std::string(double seconds)> text_;
-  mutable std::mutex mutex_;
-  mutable std::condition_variable wake_;
-  mutable bool done_ = false;
-  mutable std::thread thread_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool done_ = false;
+  std::thread thread_;
 };
 
 }  // namespace percuss::tools

@@ -47,7 +47,7 @@ int analyze(const AnalyzeFlags& flags) {
     }
     return analyze_responses(flags, std::move(opened.records), bat);
   }
-  const Progress progress("analysing", flags.output.quiet);
+  Progress progress("analysing", flags.output.quiet);
   auto tests = tests_of(flags, std::move(opened));
   require_one_test(flags, sections, tests.size());
   compute(tests, sections);

@@ -123,7 +123,7 @@ int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> re
                                                  [](const std::string& path) { return !is_modes_table(path); });
   tables.insert(tables.end(), first_table, output.paths.end());
   output.paths.erase(first_table, output.paths.end());
-  const Progress progress("fitting decays", flags.output.quiet);
+  Progress progress("fitting decays", flags.output.quiet);
   std::vector<std::string> inputs;
   for (const acquire::Record& record : records) {
     for (const acquire::InputFile& file : record.files) inputs.push_back(file.path);

@@ -1,18 +1,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iostream>
+#include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "acquire/write_record.hpp"
 #include "cli/open_files.hpp"
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
+#include "commands/info/info_frfs.hpp"
 #include "core/error.hpp"
+#include "report/text/version.hpp"
 
 namespace percuss::tools {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct ConvertFlags {
   ReadFlags read;
@@ -35,6 +40,19 @@ std::string take_output(ConvertFlags& flags) {
   return flags.output.paths.front();
 }
 
+// Prints the document of --json; `content` are its keys for a record or for FRFs.
+void print_document(const ConvertFlags& flags, const std::string& to, const std::vector<acquire::InputFile>& inputs,
+                    const Json& content, const std::vector<Message>& notes, const std::vector<std::string>& losses) {
+  if (!flags.output.json) return;
+  Json json{{"schema", "percuss/convert/1"}, {"version", report::version()}, {"inputs", Json::array()}};
+  for (const acquire::InputFile& file : inputs) json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
+  json["output"] = {{"path", to}, {"bytes", std::filesystem::file_size(to)}};
+  json.update(content);
+  json["not_kept"] = losses;
+  json["notes"] = note_texts(notes);
+  print(flags.output, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
 void convert_frfs(const ConvertFlags& flags, const std::string& to, std::vector<acquire::FrfRecord> frfs) {
   const acquire::FrfRecord record = join_frfs_of(flags.read, std::move(frfs));
   for (const Message& note : record.notes) print_note(flags.output, note);
@@ -43,8 +61,16 @@ void convert_frfs(const ConvertFlags& flags, const std::string& to, std::vector<
     throw OptionError({}, "'" + one_line(to, 80) + "' cannot hold FRFs",
                       fmt::format("use a name that ends in {}", fmt::join(known, ", ")));
   }
-  print_losses(flags, acquire::losses_of(to, record));
-  acquire::write_frfs(to, record, flags.read.frf_kind.value_or(record.kind), flags.output.force);
+  const std::vector<std::string> losses = acquire::losses_of(to, record);
+  print_losses(flags, losses);
+  const acquire::FrfKind kind = flags.read.frf_kind.value_or(record.kind);
+  acquire::write_frfs(to, record, kind, flags.output.force);
+  const Json content{{"content", "frfs"},
+                     {"frf_kind", acquire::name_of(kind)},
+                     {"lines", record.lines.count},
+                     {"points", record.frfs.size() / record.accel.size()},
+                     {"responses", record.accel.size()}};
+  print_document(flags, to, record.files, content, record.notes, losses);
 }
 
 int convert(ConvertFlags flags) {
@@ -56,8 +82,13 @@ int convert(ConvertFlags flags) {
   }
   const acquire::Record record = acquire::join_records(std::move(opened.records), flags.read.files);
   for (const Message& note : record.notes) print_note(flags.output, note);
-  print_losses(flags, acquire::losses_of(to, record));
+  const std::vector<std::string> losses = acquire::losses_of(to, record);
+  print_losses(flags, losses);
   acquire::write_record(to, record, flags.output.force);
+  const Json content{{"content", "record"},        {"fs_hz", record.fs_Hz},
+                     {"rows", record.rows.size()}, {"points", record.points().size()},
+                     {"force", record.has_force},  {"responses", record.accel.size()}};
+  print_document(flags, to, record.files, content, record.notes, losses);
   return kOk;
 }
 
@@ -70,7 +101,7 @@ void add_convert(CommandLine& line) {
       line.command("convert", "Convert records or FRFs between formats", [flags] { return convert(*flags); });
   command.about(
       "Writes the last FILE, as cp does, or the file that -o names; its extension sets the format. Lists on standard "
-      "error the information that the format cannot store.");
+      "error the information that the format cannot store; with --json also in a document on standard output.");
   command.example("percuss convert bat.mat bat.uff", "Convert a record from MATLAB to a universal file");
   command.example("percuss convert frfs.h5 -o frfs.csv", "Write FRFs as a table");
   command.example("percuss convert hits.csv hits.h5 --force-channel CH8 --force-unit lbf --quiet",

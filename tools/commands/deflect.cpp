@@ -88,7 +88,7 @@ int deflect_files(const DeflectFlags& flags) {
   options.deflection.method = method_named(flags.method);
   if (!flags.positions.empty())
     options.position_m = parse_range("positions", flags.positions, RangeForm::single_value_allowed, "M").values();
-  const Progress progress("integrating", flags.output.quiet);
+  Progress progress("integrating", flags.output.quiet);
   const std::shared_ptr<const pipeline::Analysis> shared_analysis = analysis_of(flags);
   const auto deflected = std::make_shared<const pipeline::ImpactTest>(pipeline::deflect(*shared_analysis, options));
   const pipeline::Analysis& analysis = *shared_analysis;

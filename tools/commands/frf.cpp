@@ -80,7 +80,7 @@ void give_to_host(const OutputFlags& output, const std::shared_ptr<const pipelin
 int frf(const FrfFlags& flags) {
   check_frf_outputs(flags.output);
   const acquire::FrfKind kind = acquire::parse_frf_kind(flags.kind).value();
-  const Progress progress("averaging", flags.output.quiet);
+  Progress progress("averaging", flags.output.quiet);
   const std::shared_ptr<const pipeline::Analysis> shared_analysis = analysis_of(flags);
   const pipeline::Analysis& analysis = *shared_analysis;
   analysis.hits();

@@ -39,8 +39,8 @@ struct NodesFlags {
   std::optional<std::string> positions;
 };
 
-// Limits of positions whose unit is not stated.
-constexpr double kShortestScan_in = 1, kLongestBarrel_in = 60;
+// Limits of positions whose unit is not stated: a scan in metres extends over less than 1, and no bat is 60 in long.
+constexpr double kMinExtent_in = 1, kMaxPosition_in = 60;
 
 constexpr const char* kPositionsRemedy =
     "give START:STEP:END or a list, with a unit (in, m, mm, cm, ft), such as 3:0.25:9in or 3,3.5,5in; without a unit, "
@@ -56,8 +56,8 @@ double to_metres(std::string_view unit_name, const std::string& text) {
 // Refuses positions without a unit that are hardly inches: within one inch they are probably metres, beyond five feet
 // millimetres.
 void check_plausible_inches(double low, double high, const std::string& text) {
-  const bool close = high - low < kShortestScan_in;
-  const bool far = high > kLongestBarrel_in;
+  const bool close = high - low < kMinExtent_in;
+  const bool far = high > kMaxPosition_in;
   if (!close && !far) return;
   throw OptionError::wrong_value(
       "positions", text, "state the unit, such as 0.15:0.01:0.3m or 6:0.5:9in",
@@ -140,7 +140,7 @@ int nodes(const NodesFlags& flags) {
   std::optional<pipeline::ScanPositions> stated;
   if (flags.positions) stated = parse_positions(*flags.positions);
   check_outputs(flags.output, {".json", ".csv", ".svg", ".html"});
-  const Progress progress("analysing", flags.output.quiet);
+  Progress progress("analysing", flags.output.quiet);
   const OpenScan opened = open_scan(flags, stated);
   if (flags.output.host != nullptr) flags.output.host->outcome.analyses = {opened.analysis};
   const pipeline::Analysis& analysis = *opened.analysis;

@@ -153,7 +153,7 @@ int run_survey(const SurveyFlags& flags) {
   }
   check_survey_outputs(flags.output);
   const pipeline::SurveyOptions options = survey_options(flags);
-  const Progress progress("analysing", flags.output.quiet);
+  Progress progress("analysing", flags.output.quiet);
   const std::shared_ptr<const pipeline::Analysis> shared_analysis = analysis_of(flags);
   const pipeline::Analysis& analysis = *shared_analysis;
   const auto results =

@@ -238,6 +238,21 @@ TEST_F(ModelBatCommand, NamesTheInvalidColumn) {
   }
 }
 
+TEST_F(ModelBatCommand, NamesTheUnitsOfTheProfileOnlyWhereTheyMayBeWrong) {
+  for (const std::string text :
+       {"end,diameter,young (psi)\n2,50,1e6\n", "2,50000\n", "2,50\n4000,40\n", "end,diameter,wall\n2,50,5000\n"}) {
+    test::write_bytes(folder_.file("bat.csv"), text);
+    EXPECT_THAT(run({}).err, HasSubstr("(--profile-unit)")) << text;
+  }
+  for (const std::string text : {"end,diameter,thickness\n2,50,1\n", "end,diameter,young_2\n2,50,1e9\n",
+                                 "end,young\n2,1e9\n", "end,diameter,young\n2,50,-1\n", "2,50\n1,40\n"}) {
+    test::write_bytes(folder_.file("bat.csv"), text);
+    const auto outcome = run({});
+    EXPECT_EQ(outcome.code, 3) << text;
+    EXPECT_THAT(outcome.err, testing::Not(HasSubstr("--profile-unit"))) << text;
+  }
+}
+
 TEST_F(ModelBatCommand, NamesTheInvalidOption) {
   for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--density", "-1"},
                                                                                       {"--young", "0"},

@@ -11,8 +11,8 @@ constexpr std::size_t kPiece_bytes = std::size_t{1} << 16U;
 
 // The bytes at the end of `text` that may be the beginning of a UTF-8 character.
 std::size_t begun_bytes(std::string_view text) {
-  constexpr std::size_t kLongest_bytes = 4;
-  for (std::size_t bytes = 1; bytes < std::min(kLongest_bytes, text.size() + 1); ++bytes) {
+  constexpr std::size_t kMaxCharacter_bytes = 4;
+  for (std::size_t bytes = 1; bytes < std::min(kMaxCharacter_bytes, text.size() + 1); ++bytes) {
     const std::string_view last = text.substr(text.size() - bytes);
     const auto first = static_cast<unsigned char>(last.front());
     if ((first & 0xC0U) == 0x80U) continue;

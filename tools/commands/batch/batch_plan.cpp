@@ -87,7 +87,7 @@ int plan(PlanFlags& flags) {
   if (flags.output.paths.size() != 1)
     throw OptionError({}, "batch plan writes one manifest", "name one file that ends in .jsonl", {"output"});
   const std::string& path = flags.output.paths.front();
-  const Progress progress("planning", flags.output.quiet);
+  Progress progress("planning", flags.output.quiet);
   batch::RecordFiles files = files_of(flags);
   flags.options.read.paths = files.paths;
   batch::BatchHeader head{

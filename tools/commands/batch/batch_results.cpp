@@ -47,7 +47,7 @@ int merge(const ResultFlags& flags) {
   if (flags.output.paths.empty())
     throw OptionError({}, "no output is given", "name a file that ends in .jsonl, .csv, .h5 or .hdf5", {"output"});
   const batch::Manifest manifest(flags.manifest);
-  const Progress progress("merging", flags.output.quiet);
+  Progress progress("merging", flags.output.quiet);
   OutputGroup outputs;
   const batch::MergedBatch merged =
       batch::merge_batch(manifest, flags.folder, flags.output.paths,

@@ -173,7 +173,7 @@ int run_shards(const RunFlags& flags) {
   std::atomic<std::size_t> done{0};
   std::size_t total = 0;
   for (const std::size_t i : wanted) total += manifest.shard(i, shards).size();
-  const Progress progress([&done, total](double seconds) { return progress_text(done, total, seconds); }, flags.quiet);
+  Progress progress([&done, total](double seconds) { return progress_text(done, total, seconds); }, flags.quiet);
   std::vector<batch::ShardOutcome> outcomes;
   std::size_t failed = 0, open = 0;
   for (const std::size_t i : wanted) {

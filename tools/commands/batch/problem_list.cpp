@@ -11,9 +11,9 @@
 namespace percuss::tools {
 
 void ProblemList::add(const std::string& id, const std::string& reason) {
-  constexpr std::size_t kLongestReason_bytes = 1000;
+  constexpr std::size_t kMaxReason_bytes = 1000;
   if (size_++ >= batch::kMaxNamed) return;
-  std::cerr << fmt::format("percuss: {} {}: {}\n", one_line(id), what_, one_line(reason, kLongestReason_bytes));
+  std::cerr << fmt::format("percuss: {} {}: {}\n", one_line(id), what_, one_line(reason, kMaxReason_bytes));
 }
 
 void ProblemList::finish(std::size_t total) const {

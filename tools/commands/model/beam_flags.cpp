@@ -64,7 +64,7 @@ bool has_shear(const model::BeamStructure& beam) {
 
 }  // namespace
 
-std::optional<model::BeamStructure> shaped_beam_of(const BeamFlags& flags) {
+std::optional<model::BeamStructure> nonuniform_beam_of(const BeamFlags& flags) {
   const StructureFlags& table = flags.structure;
   if (table.profile.empty()) {
     const auto refuse = [](const char* option) {

@@ -11,7 +11,7 @@
 #include "commands/model/model_commands.hpp"
 #include "core/error.hpp"
 #include "report/beam_report.hpp"
-#include "report/shaped_beam_report.hpp"
+#include "report/nonuniform_beam_report.hpp"
 
 namespace percuss::tools {
 namespace {
@@ -97,7 +97,7 @@ model::TorsionFit static_torsion(const ModelBeamFlags& flags, const model::Unifo
   return model::fit_torsion(readings, beam.stiffness_Nm2);
 }
 
-int model_shaped_beam(const ModelBeamFlags& flags, model::BeamStructure beam) {
+int model_nonuniform_beam(const ModelBeamFlags& flags, model::BeamStructure beam) {
   for (const auto& [given, option] : {std::pair{flags.gyration_m.has_value(), "gyration"},
                                       std::pair{flags.shear_stiffness_N.has_value(), "shear_stiffness"},
                                       std::pair{!flags.readings.empty(), "static"}}) {
@@ -117,14 +117,14 @@ int model_shaped_beam(const ModelBeamFlags& flags, model::BeamStructure beam) {
   origin.other = other_profile_kind(beam, elastic, kBeamElementFraction);
   const model::BatModes modes =
       model::bat_modes(beam, {.modes = elastic, .max_element_fraction = kBeamElementFraction});
-  return show_report(report::shaped_beam_report(beam, modes, flags.modes, origin), flags.output,
+  return show_report(report::nonuniform_beam_report(beam, modes, flags.modes, origin), flags.output,
                      {flags.beam.structure.profile});
 }
 
 int model_beam(const ModelBeamFlags& flags) {
   check_report_outputs(flags.output);
   const ModelBudget budget(flags.budget, "model beam");
-  if (auto shaped = shaped_beam_of(flags.beam)) return model_shaped_beam(flags, std::move(*shaped));
+  if (auto nonuniform = nonuniform_beam_of(flags.beam)) return model_nonuniform_beam(flags, std::move(*nonuniform));
   model::UniformBeam beam = beam_of(flags.beam);
   beam.gyration_m = flags.gyration_m.value_or(0);
   beam.shear_stiffness_N = flags.shear_stiffness_N.value_or(0);

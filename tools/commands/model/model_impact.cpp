@@ -38,7 +38,7 @@ struct ModelImpactFlags {
 };
 
 // A beam with a table of sections, and its modes.
-struct ShapedBeam {
+struct NonuniformBeam {
   model::BeamStructure structure;
   model::BatModes modes;
 };
@@ -47,19 +47,19 @@ model::BatModes modes_of(const model::BeamStructure& structure, std::size_t mode
   return model::bat_modes(structure, {.modes = modes, .max_element_fraction = kBeamElementFraction});
 }
 
-std::optional<ShapedBeam> solved_shaped_beam(const ModelImpactFlags& flags) {
-  auto structure = shaped_beam_of(flags.beam);
+std::optional<NonuniformBeam> solved_nonuniform_beam(const ModelImpactFlags& flags) {
+  auto structure = nonuniform_beam_of(flags.beam);
   if (!structure) return {};
-  return ShapedBeam{.structure = *structure, .modes = modes_of(*structure, flags.impact.modes)};
+  return NonuniformBeam{.structure = *structure, .modes = modes_of(*structure, flags.impact.modes)};
 }
 
 // Sets the modes at the struck point. A varied spring changes the modes.
-void strike_shaped(const ShapedBeam& shaped, model::Impact& impact) {
-  if (impact.beam.torsion_Nmprad == shaped.structure.support.torsion_Nmprad) {
-    impact.struck = model::struck_modes(shaped.modes, impact.at_m, impact.modes);
+void strike_nonuniform(const NonuniformBeam& nonuniform, model::Impact& impact) {
+  if (impact.beam.torsion_Nmprad == nonuniform.structure.support.torsion_Nmprad) {
+    impact.struck = model::struck_modes(nonuniform.modes, impact.at_m, impact.modes);
     return;
   }
-  model::BeamStructure varied = shaped.structure;
+  model::BeamStructure varied = nonuniform.structure;
   varied.support.torsion_Nmprad = impact.beam.torsion_Nmprad;
   varied.support.kind = impact.beam.torsion_Nmprad > 0 ? model::BeamSupport::torsion : model::BeamSupport::pinned;
   impact.struck = model::struck_modes(modes_of(varied, impact.modes), impact.at_m, impact.modes);
@@ -72,14 +72,14 @@ void check_impact_position(const OptionId& option, double at_m, const model::Uni
   }
 }
 
-report::ImpactSweep parse_sweep(const std::string& text, const model::Impact& impact, bool shaped) {
+report::ImpactSweep parse_sweep(const std::string& text, const model::Impact& impact, bool nonuniform) {
   const std::size_t equals = text.find('=');
   report::ImpactSweep sweep{.parameter = text.substr(0, equals)};
   std::replace(sweep.parameter.begin(), sweep.parameter.end(), '-', '_');
   model::Impact trial = impact;
   if (equals == std::string::npos || report::swept_value(trial, sweep.parameter) == nullptr)
     throw OptionError::wrong_value("sweep", text, kSweepForm, "it is not a known name and a range");
-  if (shaped && (sweep.parameter == "ei" || sweep.parameter == "rho_a"))
+  if (nonuniform && (sweep.parameter == "ei" || sweep.parameter == "rho_a"))
     throw OptionError::wrong_value("sweep", text, "vary torsion, at or speed", "the profile gives it", {"profile"});
   if (sweep.parameter == "torsion" && impact.beam.support != model::BeamSupport::torsion) {
     throw OptionError::wrong_value("sweep", text, "choose the torsion support", "the beam has no torsion spring",
@@ -97,13 +97,13 @@ report::ImpactSweep parse_sweep(const std::string& text, const model::Impact& im
   return sweep;
 }
 
-void run_sweep(const model::Impact& impact, const std::optional<ShapedBeam>& shaped,
+void run_sweep(const model::Impact& impact, const std::optional<NonuniformBeam>& nonuniform,
                const model::ImpactOptions& options, std::size_t threads, report::ImpactSweep& sweep) {
   sweep.results.resize(sweep.values.size());
   parallel_for(sweep.values.size(), threads, [&](std::size_t i) {
     model::Impact varied = impact;
     *report::swept_value(varied, sweep.parameter) = sweep.values[i];
-    if (shaped) strike_shaped(*shaped, varied);
+    if (nonuniform) strike_nonuniform(*nonuniform, varied);
     sweep.results[i] = model::simulate_impact(varied, options);
   });
 }
@@ -130,21 +130,21 @@ int model_impact(const ModelImpactFlags& flags) {
   check_report_outputs(flags.output);
   const ModelBudget budget(flags.budget, "model impact");
   model::Impact impact = flags.impact;
-  const std::optional<ShapedBeam> shaped = solved_shaped_beam(flags);
+  const std::optional<NonuniformBeam> nonuniform = solved_nonuniform_beam(flags);
   impact.beam = beam_of(flags.beam);
-  if (shaped) {
+  if (nonuniform) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    impact.beam.length_m = shaped->structure.length_m();
+    impact.beam.length_m = nonuniform->structure.length_m();
     impact.beam.stiffness_Nm2 = impact.beam.mass_per_length_kgpm = kNone;
   }
   check_impact_position("at", impact.at_m, impact.beam);
-  if (shaped) strike_shaped(*shaped, impact);
+  if (nonuniform) strike_nonuniform(*nonuniform, impact);
   impact.hysteresis_spm = model::hysteresis_for_spm(flags.contact_cor, impact.speed_mps);
   std::vector<report::ImpactSweep> sweeps;
   sweeps.reserve(flags.sweeps.size());
   std::size_t swept = 0;
   for (const std::string& text : flags.sweeps) {
-    sweeps.push_back(parse_sweep(text, impact, shaped.has_value()));
+    sweeps.push_back(parse_sweep(text, impact, nonuniform.has_value()));
     swept += sweeps.back().values.size();
   }
   if (swept > kMaxSwept) throw OptionError({"sweep"}, "has more than 10000 values in all", "give fewer values");
@@ -154,17 +154,17 @@ int model_impact(const ModelImpactFlags& flags) {
   }
   const model::ImpactOptions options = impact_options(flags, impact);
   const model::ImpactResult result = model::simulate_impact(impact, options);
-  for (report::ImpactSweep& sweep : sweeps) run_sweep(impact, shaped, options, flags.threads, sweep);
+  for (report::ImpactSweep& sweep : sweeps) run_sweep(impact, nonuniform, options, flags.threads, sweep);
   std::optional<report::StructureOrigin> origin;
-  if (shaped) {
+  if (nonuniform) {
     origin = report::StructureOrigin{.total_mass_kg = flags.beam.structure.total_mass_kg,
-                                     .first_mode = model::rigid_body_modes(shaped->structure.support.kind)};
-    origin->other = other_profile_kind(shaped->structure, flags.impact.modes, kBeamElementFraction);
+                                     .first_mode = model::rigid_body_modes(nonuniform->structure.support.kind)};
+    origin->other = other_profile_kind(nonuniform->structure, flags.impact.modes, kBeamElementFraction);
   }
-  return show_report(report::impact_report(impact, result, sweeps, shaped ? &shaped->structure : nullptr,
+  return show_report(report::impact_report(impact, result, sweeps, nonuniform ? &nonuniform->structure : nullptr,
                                            origin.value_or(report::StructureOrigin{})),
                      flags.output,
-                     shaped ? std::vector<std::string>{flags.beam.structure.profile} : std::vector<std::string>{});
+                     nonuniform ? std::vector<std::string>{flags.beam.structure.profile} : std::vector<std::string>{});
 }
 
 }  // namespace

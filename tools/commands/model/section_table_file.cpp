@@ -144,7 +144,7 @@ bool is_expected(const ProfileColumn& column, const LengthUnits& units) {
 void check_columns(const std::vector<ProfileColumn>& columns, std::size_t layers, const LengthUnits& units,
                    const std::string& place) {
   const auto refuse = [&](const std::string& problem, const char* remedy) {
-    return InputError(problem, place, remedy, {"profile_unit"});
+    return InputError(problem, place, remedy);
   };
   const bool round = column_for(columns, ColumnKind::diameter) != nullptr;
   if (!column_for(columns, ColumnKind::position)) throw refuse("there is no column of positions", kProfileForm);
@@ -161,8 +161,8 @@ void check_columns(const std::vector<ProfileColumn>& columns, std::size_t layers
   for (const ProfileColumn& one : columns) {
     if (one.unit.empty()) continue;
     if (!is_expected(one, units)) {
-      throw refuse(fmt::format("the header states {}, another unit is expected", one.unit),
-                   "give lengths in the profile's units, moduli in Pa and densities in kg/m³");
+      throw InputError(fmt::format("the header states {}, another unit is expected", one.unit), place,
+                       "give lengths in the profile's units, moduli in Pa and densities in kg/m³", {"profile_unit"});
     }
   }
 }
@@ -170,7 +170,7 @@ void check_columns(const std::vector<ProfileColumn>& columns, std::size_t layers
 model::SectionStation station_of(const NumberTableRow& row, const std::vector<ProfileColumn>& columns,
                                  std::size_t layers, const LengthUnits& units) {
   model::SectionStation station{.layers = std::vector<model::SectionLayer>(layers)};
-  const auto refuse = [&](const std::string& problem) {
+  const auto refuse_size = [&](const std::string& problem) {
     return InputError(problem, row.place, kProfileForm, {"profile_unit"});
   };
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -178,11 +178,12 @@ model::SectionStation station_of(const NumberTableRow& row, const std::vector<Pr
     model::SectionLayer& layer = station.layers[columns[i].layer];
     const auto checked_size = [&](const char* name) {
       if (!(size_m >= kMinDiameter_m && size_m <= kMaxDiameter_m))
-        throw refuse(fmt::format("{} of {:g} m is not between 0.0001 and 1 m", name, size_m));
+        throw refuse_size(fmt::format("{} of {:g} m is not between 0.0001 and 1 m", name, size_m));
       return size_m;
     };
     const auto checked_constant = [&](const char* name) {
-      if (!(value > 0)) throw refuse(fmt::format("{} of {:g} is not above zero", name, value));
+      if (!(value > 0))
+        throw InputError(fmt::format("{} of {:g} is not above zero", name, value), row.place, kProfileForm);
       return value;
     };
     switch (columns[i].what) {
@@ -200,7 +201,7 @@ model::SectionStation station_of(const NumberTableRow& row, const std::vector<Pr
         break;
       case ColumnKind::wall:
         if (!(size_m > 0 && size_m <= kMaxDiameter_m))
-          throw refuse(fmt::format("a wall of {:g} m is not above 0 and at most 1 m", size_m));
+          throw refuse_size(fmt::format("a wall of {:g} m is not above 0 and at most 1 m", size_m));
         layer.thickness_m = size_m;
         break;
       case ColumnKind::young:
@@ -233,17 +234,17 @@ model::SectionTable read_section_table(const std::string& path, const SectionTab
   for (const NumberTableRow& row : table.rows) {
     out.stations.push_back(station_of(row, columns, layers, units));
     const double at_m = out.stations.back().at_m;
-    const auto refuse = [&](const std::string& problem) {
-      return InputError(problem, row.place, kProfileForm, {"profile_unit"});
-    };
     const bool first = out.stations.size() == 1;
     if (first && at_m == 0 && !from_zero) {
       throw InputError("a slice that ends at position 0", row.place,
                        "write the end of each slice, or state that the rows are points", {"profile_kind"});
     }
     if (first ? !(at_m > 0 || (from_zero && at_m == 0)) : !(at_m > out.stations[out.stations.size() - 2].at_m))
-      throw refuse("the positions do not ascend");
-    if (!(at_m <= kMaxEnd_m)) throw refuse(fmt::format("a position of {:g} m is beyond 10 m", at_m));
+      throw InputError("the positions do not ascend", row.place, kProfileForm);
+    if (!(at_m <= kMaxEnd_m)) {
+      throw InputError(fmt::format("a position of {:g} m is beyond 10 m", at_m), row.place, kProfileForm,
+                       {"profile_unit"});
+    }
   }
   if (!(out.length_m() > 0)) throw InputError("a bat or beam of no length", table.rows.front().place, kProfileForm);
   return out;

@@ -31,7 +31,7 @@ std::unique_ptr<acquire::Device> open_named_device(const std::string& name, cons
 
 }  // namespace
 
-Recording open_recording(const RecordFlags& flags, const Interrupted& interrupted) {
+Recording open_recording(const RecordFlags& flags, const InterruptedSession& interrupted) {
   const bool resumed = interrupted.journal != nullptr;
   acquire::ReadOptions read = resolved_read_options(flags.read);
   acquire::DeviceOptions wanted{.fs_Hz = flags.fs_Hz, .fast = flags.fast, .setup = read.setup};

@@ -18,6 +18,6 @@ struct Recording {
 /// band are checked against the device before there is a journal.
 /// errors  OptionError: a description of a pipe that is not understood; InputError: as CaptureStream, live_channels and
 /// check_window
-Recording open_recording(const RecordFlags& flags, const Interrupted& interrupted);
+Recording open_recording(const RecordFlags& flags, const InterruptedSession& interrupted);
 
 }  // namespace percuss::tools

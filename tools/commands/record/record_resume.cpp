@@ -55,7 +55,7 @@ std::uint64_t first_frame_of(const acquire::JournalReader& journal) {
 
 // The end of a resumed session overwrites the file. Refuses a file with more blows than the journal, which may be
 // damaged. The file may have one row more, which the end of the device cut short.
-void refuse_loss(const std::string& path, const Interrupted& interrupted, bool overwrite) {
+void refuse_loss(const std::string& path, const InterruptedSession& interrupted, bool overwrite) {
   if (!fs::exists(path) || (overwrite && !acquire::is_hdf5(path))) return;
   const std::vector<acquire::RowInfo> rows = rows_of(path);
   const std::size_t blows = blow_count(interrupted.events, first_frame_of(*interrupted.journal));
@@ -87,7 +87,7 @@ std::size_t blow_count(const std::vector<pipeline::SessionEvent>& events, std::u
   }));
 }
 
-Interrupted open_interrupted(RecordFlags& flags) {
+InterruptedSession open_interrupted(RecordFlags& flags) {
   take_journal_as_output(flags.resume);
   if (flags.is_given("output") && !names_same_file(flags.output, flags.resume))
     throw OptionError({"output", "resume"}, "name different files", "leave --output out");
@@ -96,7 +96,7 @@ Interrupted open_interrupted(RecordFlags& flags) {
     throw InputError("no journal of an interrupted session", path,
                      fs::exists(flags.resume) ? "the session was finished: analyse the file" : "record it anew");
   }
-  Interrupted out{.journal = std::make_unique<acquire::JournalReader>(path), .events = {}};
+  InterruptedSession out{.journal = std::make_unique<acquire::JournalReader>(path), .events = {}};
   const auto& events = out.journal->events();
   const auto settings = std::find_if(events.begin(), events.end(),
                                      [](const acquire::JournalEvent& event) { return is_settings(event.json); });
@@ -109,7 +109,7 @@ Interrupted open_interrupted(RecordFlags& flags) {
   return out;
 }
 
-std::string torn_text(const Interrupted& interrupted) {
+std::string torn_text(const InterruptedSession& interrupted) {
   const std::uint64_t bytes = interrupted.journal->torn_bytes();
   return bytes == 0 ? "" : fmt::format("the last {} bytes of the journal are not whole and are left out", bytes);
 }
@@ -130,7 +130,7 @@ std::string missing_text(std::uint64_t frames, double fs_Hz) {
 
 bool repeats_itself(const std::string& device) { return device.starts_with("sim:") || device.starts_with("file:"); }
 
-void replay(const Interrupted& interrupted, bool seamless, pipeline::Guide& guide) {
+void replay(const InterruptedSession& interrupted, bool seamless, pipeline::Guide& guide) {
   const acquire::JournalReader& journal = *interrupted.journal;
   guide.resume_from(interrupted.events, journal.findings(), first_frame_of(journal));
   replay_samples(journal, guide);

@@ -11,7 +11,7 @@
 namespace percuss::tools {
 
 /// An interrupted session. `journal` is null if no session is resumed.
-struct Interrupted {
+struct InterruptedSession {
   std::unique_ptr<acquire::JournalReader> journal;
   std::vector<pipeline::SessionEvent> events;
 };
@@ -25,10 +25,10 @@ std::size_t blow_count(const std::vector<pipeline::SessionEvent>& events, std::u
 /// Opens the session that was recording the file of --resume, and takes over its options. The journal may be named in
 /// place of the file. errors  InputError: no journal, or a damaged one; the file exists and is no record of the
 /// session, or holds more blows than the journal; OptionError: an option contradicts the session
-Interrupted open_interrupted(RecordFlags& flags);
+InterruptedSession open_interrupted(RecordFlags& flags);
 
 /// A sentence about the bytes after the last whole block of the journal; empty where there are none.
-std::string torn_text(const Interrupted& interrupted);
+std::string torn_text(const InterruptedSession& interrupted);
 
 /// The frames that were analysed, but could not be written to the journal.
 std::uint64_t missing_frames(const acquire::JournalReader& journal);
@@ -39,6 +39,6 @@ std::string missing_text(std::uint64_t frames, double fs_Hz);
 bool repeats_itself(const std::string& device);
 
 /// Gives the guide the samples, verdicts, keys and faults of the session.
-void replay(const Interrupted& interrupted, bool seamless, pipeline::Guide& guide);
+void replay(const InterruptedSession& interrupted, bool seamless, pipeline::Guide& guide);
 
 }  // namespace percuss::tools

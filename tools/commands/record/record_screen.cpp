@@ -86,7 +86,7 @@ void RecordScreen::note(const std::string& text) {
 // Shows each problem once.
 void RecordScreen::show_problems(const pipeline::SessionQuality& quality) {
   for (const pipeline::SessionProblem& problem : quality.problems) {
-    if (told_.insert(problem.code).second) note("! " + problem.text);
+    if (shown_.insert(problem.code).second) note("! " + problem.text);
   }
 }
 
@@ -94,7 +94,7 @@ void RecordScreen::show_problems(const pipeline::SessionQuality& quality) {
 void RecordScreen::show_missing_goals(const pipeline::SessionQuality& quality) {
   if (quality.modes.empty()) return;
   for (const pipeline::PrecisionGoal& goal : goals_) {
-    if (!pipeline::mode_of(goal, quality) && told_.insert(goal.text()).second) note(missing_goal_text(goal, quality));
+    if (!pipeline::mode_of(goal, quality) && shown_.insert(goal.text()).second) note(missing_goal_text(goal, quality));
   }
 }
 

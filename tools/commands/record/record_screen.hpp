@@ -50,10 +50,10 @@ class RecordScreen : public pipeline::GuideObserver {
   pipeline::RovingPart roving_;
   const pipeline::Guide* guide_ = nullptr;
   double fs_Hz_ = 0;
-  bool silent_ = false;         // while the journal is replayed
-  bool ask_ = false;            // the blows that count have changed
-  bool discard_ = false;        // blows that counted before do not count any longer
-  std::set<std::string> told_;  // problems of the test, and goals
+  bool silent_ = false;          // while the journal is replayed
+  bool ask_ = false;             // the blows that count have changed
+  bool discard_ = false;         // blows that counted before do not count any longer
+  std::set<std::string> shown_;  // problems of the test, and goals
   std::optional<pipeline::QualityWorker> worker_;
 };
 

@@ -157,7 +157,7 @@ struct Outcome {
 };
 
 // Takes the samples of an interrupted session.
-void take_interrupted(const Interrupted& interrupted, const RecordFlags& flags, pipeline::Guide& guide,
+void take_interrupted(const InterruptedSession& interrupted, const RecordFlags& flags, pipeline::Guide& guide,
                       RecordScreen& screen) {
   replay(interrupted, repeats_itself(flags.device), guide);
   if (const std::string torn = torn_text(interrupted); !torn.empty()) screen.note(torn);
@@ -180,7 +180,7 @@ void keep_session(const RecordFlags& flags, const acquire::Record& record, const
 }
 
 // Records, and writes the file.
-Outcome record_file(const RecordFlags& flags, const Interrupted& interrupted, const UnfinishedSession& earlier,
+Outcome record_file(const RecordFlags& flags, const InterruptedSession& interrupted, const UnfinishedSession& earlier,
                     pipeline::GuideOptions options) {
   const auto analysis = options.analysis;
   Recording recording = open_recording(flags, interrupted);
@@ -222,7 +222,7 @@ Outcome record_file(const RecordFlags& flags, const Interrupted& interrupted, co
 int run_record(RecordFlags flags) {
   if (flags.device == "list") return list_devices();
   flags.channels = parse_channels(flags.channel_list);
-  Interrupted interrupted;
+  InterruptedSession interrupted;
   if (!flags.resume.empty()) interrupted = open_interrupted(flags);
   const UnfinishedSession earlier = flags.resume.empty() ? find_unfinished(flags) : UnfinishedSession{};
   check_session_files(flags);

@@ -1,4 +1,4 @@
-#include "report/shaped_beam_report.hpp"
+#include "report/nonuniform_beam_report.hpp"
 
 #include <fmt/format.h>
 
@@ -15,29 +15,29 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kShapedPoints = 201;
-constexpr std::size_t kMaxShapedCurves = 7;
+constexpr std::size_t kNonuniformPoints = 201;
+constexpr std::size_t kMaxNonuniformCurves = 7;
 
 // A mode of the beam, rigid or elastic.
-struct ShapedMode {
+struct NonuniformMode {
   double freq_Hz = 0;
   std::vector<double> node_m, shape;  // shape at the positions of the report
 };
 
 // A free beam translates (mode 0, no node) and turns about its centre of mass (mode 1, its node). A beam on a pin turns
 // about the pin; a support is no node.
-ShapedMode rigid_mode(const model::BatModes& beam, std::size_t mode, const std::vector<double>& x_m) {
+NonuniformMode rigid_mode(const model::BatModes& beam, std::size_t mode, const std::vector<double>& x_m) {
   const bool turns = beam.support.kind != model::BeamSupport::free || mode == 1;
   const bool free = beam.support.kind == model::BeamSupport::free;
   const double axis_m = free ? beam.inertia.cm_m : beam.support.at_m;
-  ShapedMode out;
+  NonuniformMode out;
   if (turns && free) out.node_m = {axis_m};
   for (const double x : x_m) out.shape.push_back(turns ? (x - axis_m) / (beam.length_m - axis_m) : 1);
   return out;
 }
 
-std::vector<ShapedMode> all_modes(const model::BatModes& beam, std::size_t count, const std::vector<double>& x_m) {
-  std::vector<ShapedMode> modes;
+std::vector<NonuniformMode> all_modes(const model::BatModes& beam, std::size_t count, const std::vector<double>& x_m) {
+  std::vector<NonuniformMode> modes;
   const std::size_t rigid = std::min(count, model::rigid_body_modes(beam.support.kind));
   for (std::size_t mode = 0; mode < rigid; ++mode) modes.push_back(rigid_mode(beam, mode, x_m));
   const std::size_t elastic = std::min(count - rigid, static_cast<std::size_t>(beam.freq_Hz.size()));
@@ -47,14 +47,14 @@ std::vector<ShapedMode> all_modes(const model::BatModes& beam, std::size_t count
   for (const double x : x_m) deflections.push_back(beam.deflection(x));
   for (std::size_t mode = 0; mode < elastic; ++mode) {
     const auto at = static_cast<Eigen::Index>(mode);
-    ShapedMode out{.freq_Hz = beam.freq_Hz[at], .node_m = model::nodes_of(beam, mode), .shape = {}};
+    NonuniformMode out{.freq_Hz = beam.freq_Hz[at], .node_m = model::nodes_of(beam, mode), .shape = {}};
     for (const Eigen::VectorXd& all : deflections) out.shape.push_back(all[at] / tip[at]);
     modes.push_back(std::move(out));
   }
   return modes;
 }
 
-TextTable shaped_table(const std::vector<ShapedMode>& modes) {
+TextTable nonuniform_table(const std::vector<NonuniformMode>& modes) {
   TextTable table(
       {{"mode", TextTable::Align::right}, {"frequency", TextTable::Align::right}, {"nodes, mm from x = 0"}});
   for (std::size_t i = 0; i < modes.size(); ++i) {
@@ -69,12 +69,12 @@ TextTable shaped_table(const std::vector<ShapedMode>& modes) {
 
 }  // namespace
 
-CommandReport shaped_beam_report(const model::BeamStructure& beam, const model::BatModes& elastic, std::size_t modes,
-                                 const StructureOrigin& origin) {
+CommandReport nonuniform_beam_report(const model::BeamStructure& beam, const model::BatModes& elastic,
+                                     std::size_t modes, const StructureOrigin& origin) {
   NumericColumn x{.name = "x_m", .values = {}};
-  for (std::size_t i = 0; i < kShapedPoints; ++i)
-    x.values.push_back(beam.length_m() * static_cast<double>(i) / static_cast<double>(kShapedPoints - 1));
-  const std::vector<ShapedMode> all = all_modes(elastic, modes, x.values);
+  for (std::size_t i = 0; i < kNonuniformPoints; ++i)
+    x.values.push_back(beam.length_m() * static_cast<double>(i) / static_cast<double>(kNonuniformPoints - 1));
+  const std::vector<NonuniformMode> all = all_modes(elastic, modes, x.values);
   const std::vector<double> freq_Hz(elastic.freq_Hz.begin(), elastic.freq_Hz.end());
   const bool spring = beam.support.kind == model::BeamSupport::torsion;
   Json json{{"schema", "percuss/model-beam/1"},
@@ -99,7 +99,7 @@ CommandReport shaped_beam_report(const model::BeamStructure& beam, const model::
     json["frequency_hz"].push_back(all[i].freq_Hz);
     json["lambda"].push_back(Json());
     json["node_m"].push_back(all[i].node_m);
-    if (i < kMaxShapedCurves)
+    if (i < kMaxNonuniformCurves)
       chart.curves.push_back({fmt::format("{}: {:.5g} Hz", i, all[i].freq_Hz), x.values, all[i].shape});
     report.columns.push_back({fmt::format("mode_{}", i), all[i].shape});
   }
@@ -110,7 +110,7 @@ CommandReport shaped_beam_report(const model::BeamStructure& beam, const model::
                             beam.slender ? "" : "; with rotary inertia and shear (Timoshenko)");
   add_structure_text(beam, origin, freq_Hz, "x = 0", report.text);
   report.text += "\n";
-  report.text += shaped_table(all);
+  report.text += nonuniform_table(all);
   report.charts.push_back(std::move(chart));
   return report;
 }

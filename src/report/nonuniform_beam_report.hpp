@@ -9,7 +9,7 @@ namespace percuss::report {
 
 /// JSON: percuss/model-beam/1, of a beam with a table of sections: no λ, and no EI and ρA of the whole. The lowest
 /// `modes` modes, rigid-body modes first; shapes as columns and chart, 1 at the free end.
-CommandReport shaped_beam_report(const model::BeamStructure& beam, const model::BatModes& elastic, std::size_t modes,
-                                 const StructureOrigin& origin);
+CommandReport nonuniform_beam_report(const model::BeamStructure& beam, const model::BatModes& elastic,
+                                     std::size_t modes, const StructureOrigin& origin);
 
 }  // namespace percuss::report
