@@ -42,7 +42,7 @@ TEST(PointColumns, EqualTheColumnsOfEachPoint) {
     twice.blocks.push_back(twice.blocks[0]);
     twice.blocks[1].offset += 7;
     for (double& force : twice.blocks[1].force_N) force *= 1.5;
-    twice.spectra.push_back(frf::shared(frf::force_spectrum(twice.blocks[1], set.lines)));
+    twice.spectra.push_back(test::make_spectrum(frf::force_spectrum(twice.blocks[1], set.lines)));
     set.points.push_back(point_force(twice.blocks, twice.spectra, set.lines, 0));
     for (const Pole& pole : {Pole{120, 0.004}, Pole{800, 0.05}}) {
       const PointColumns columns(pole, set, 5, 200);
