@@ -13,8 +13,8 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kMinModes = 3;
-constexpr std::size_t kMinPoints = 6;      // whose median ratio one or two wrong points do not move
-constexpr double kClear = 10;              // standard deviations of a residue, or of the residue that is expected
+constexpr std::size_t kMinReferencePoints = 6;  // whose median ratio one or two wrong points do not move
+constexpr double kClear = 10;                   // standard deviations of a residue, or of the residue that is expected
 constexpr double kMaxScatter = 0.2;        // of one mode's factor about the point's factor: more than close modes cause
 constexpr double kMinContradiction = 0.5;  // of the factor from 1: a mounting that slips changes it less
 constexpr double kMinAgreeing = 0.8;       // share of the clear modes at a point
@@ -40,7 +40,7 @@ std::optional<Complex> usual_ratio(const identify::Mode& mode, const std::vector
     real.push_back(ratio.real());
     imaginary.push_back(ratio.imag());
   }
-  if (real.size() < kMinPoints) return std::nullopt;
+  if (real.size() < kMinReferencePoints) return std::nullopt;
   return Complex{median(real), median(imaginary)};
 }
 
@@ -86,7 +86,7 @@ std::vector<ReferenceContradiction> reference_contradictions(const std::vector<i
       channels.insert(residue.channel);
     }
   }
-  if (modes.size() < kMinModes || points.size() < kMinPoints || channels.size() < 2) return {};
+  if (modes.size() < kMinModes || points.size() < kMinReferencePoints || channels.size() < 2) return {};
   const std::vector<std::size_t> list(points.begin(), points.end());
   std::vector<ReferenceContradiction> out;
   for (auto second = std::next(channels.begin()); second != channels.end(); ++second) {

@@ -14,11 +14,11 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kUnitSpread = 1.1;   // a factor within 10 % of a unit's may be this unit
-constexpr double kSilent = 0.1;       // a factor below it: the channel shows crosstalk or noise
-constexpr std::size_t kMaxNamed = 8;  // points
+constexpr double kUnitTolerance = 1.1;      // a factor within 10 % of a unit's may be this unit
+constexpr double kSilent = 0.1;             // a factor below it: the channel shows crosstalk or noise
+constexpr std::size_t kMaxNamedPoints = 8;  // points
 
-bool is_about(double factor, double unit) { return factor > unit / kUnitSpread && factor < unit * kUnitSpread; }
+bool is_about(double factor, double unit) { return factor > unit / kUnitTolerance && factor < unit * kUnitTolerance; }
 
 std::string cause(double factor, const std::string& first, const std::string& second) {
   const double size = std::max(std::abs(factor), 1 / std::abs(factor));
@@ -43,12 +43,12 @@ std::vector<Warning> reference_warnings(const std::vector<acquire::SignalInfo>& 
     const auto name = [&](std::size_t channel) { return one_line(accel[channel].name, kMaxNameBytes); };
     const std::string first = name(pair.first), second = name(pair.second);
     std::string list;
-    for (std::size_t i = 0; i < std::min(points.size(), kMaxNamed); ++i) {
+    for (std::size_t i = 0; i < std::min(points.size(), kMaxNamedPoints); ++i) {
       const ReferenceContradiction& at = points[i];
       list += fmt::format("{}at point {} {:.3g} times this ratio in {} modes ({} there)", i == 0 ? "" : ", ", at.point,
                           at.factor, at.modes, cause(at.factor, first, second));
     }
-    if (points.size() > kMaxNamed) list += fmt::format(" and at {} more points", points.size() - kMaxNamed);
+    if (points.size() > kMaxNamedPoints) list += fmt::format(" and at {} more points", points.size() - kMaxNamedPoints);
     out.push_back(with_remedy(
         {"sensors_disagree", fmt::format("{} over {} is the same at most points, but {}. Shapes are wrong at such a "
                                          "point, and modal masses may be",
