@@ -10,6 +10,7 @@
 #include "pipeline/warnings/hit_warnings.hpp"
 #include "pipeline/warnings/mode_warnings.hpp"
 #include "pipeline/warnings/object_warnings.hpp"
+#include "pipeline/warnings/point_force_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
 #include "pipeline/warnings/record_findings.hpp"
 #include "pipeline/warnings/role_warnings.hpp"
@@ -46,6 +47,7 @@ std::vector<Warning> Analysis::warnings() const {
   add(capture_warnings(record()));
   if (modes_.ready() && !force_known) add(force_noise_warnings(modes()));
   add(hit_warnings(record(), graded));
+  if (force_known) add(point_force_warnings(record(), graded));
   if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples));
   if (force_known) add(role_warnings(record(), graded));
   add(channel_warnings(record(), graded));

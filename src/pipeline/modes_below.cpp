@@ -6,7 +6,9 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kMaxRatio = 4.5;      // of successive bending frequencies of a tube
+// Of successive bending frequencies of a tube: at most 2.76 if it is free, 4 if it is pinned, and a margin. Only the
+// second mode of a clamped tube lies higher, at up to 6.3 times the first.
+constexpr double kMaxRatio = 4.5;
 constexpr std::size_t kMinLines = 16;  // fewer lines hold no mode
 constexpr std::size_t kMaxHits = 4;    // enough to count modes
 

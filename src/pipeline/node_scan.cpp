@@ -83,7 +83,7 @@ std::optional<std::vector<double>> distances_m(const acquire::Record& record, co
   return out;
 }
 
-void require_geometry_of_scan(const Analysis& analysis, const ScanPositions& positions) {
+void require_positions_match_geometry(const Analysis& analysis, const ScanPositions& positions) {
   constexpr double kMaxDifference = 0.1;  // of the scan's length: sensors and hits are placed by hand
   const auto known_m = distances_m(analysis.record(), analysis.points());
   if (!known_m) return;
@@ -95,10 +95,10 @@ void require_geometry_of_scan(const Analysis& analysis, const ScanPositions& pos
   }
   if (difference_m <= kMaxDifference * length_m) return;
   throw InputError(
-      fmt::format("the positions lie up to {:.4g} mm from the first one, but the record's geometry places the points "
-                  "up to {:.4g} mm from the "
-                  "first one, and {:.4g} mm away from these positions",
-                  1e3 * length_m, 1e3 * *std::max_element(known_m->begin(), known_m->end()), 1e3 * difference_m),
+      fmt::format(
+          "the positions and the record's geometry differ by up to {:.4g} in; the scan is {:.4g} in long by the "
+          "positions, {:.4g} in by the geometry",
+          difference_m / kInch_m, length_m / kInch_m, *std::max_element(known_m->begin(), known_m->end()) / kInch_m),
       analysis.record().source(), "state the positions of the points, with their unit", {"positions"});
 }
 
@@ -144,7 +144,7 @@ ScanPositions listed_positions(std::vector<double> position_m, const std::string
   std::sort(ascending.begin(), ascending.end());
   const auto twice = std::adjacent_find(ascending.begin(), ascending.end());
   if (twice != ascending.end()) {
-    throw InputError(fmt::format("two points of the scan lie at {:.6g} m", *twice), where,
+    throw InputError(fmt::format("two points of the scan lie at {:.6g} in", *twice / kInch_m), where,
                      "state a position of its own for each point", {"positions"});
   }
   return {.start_m = ascending.front(), .step_m = 0, .count = ascending.size(), .listed_m = std::move(position_m)};
@@ -200,7 +200,7 @@ NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, do
     throw InputError(fmt::format("{} points for {} positions", points, positions.count), analysis.record().source(),
                      "state one position per point", {"positions"});
   }
-  require_geometry_of_scan(analysis, positions);
+  require_positions_match_geometry(analysis, positions);
   NodeScan scan{.positions = positions, .modes = {}, .warnings = {}};
   const MeasuredPoints measured = measured_points(analysis, positions, scan.warnings);
   const bool enough = measured.point.size() >= kMinPoints;

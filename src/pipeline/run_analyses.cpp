@@ -40,11 +40,11 @@ void assume_angles(acquire::FrfRecord& frfs, identify::ClassifyOptions& options)
 std::vector<RunAnalysis> analyses_of_runs(std::vector<acquire::Record> records, const AnalysisOptions& options) {
   std::vector<RunAnalysis> analyses;
   for (acquire::Record& record : records) {
-    AnalysisOptions known = options;
-    assume_angles(record, known.classes);
+    AnalysisOptions with_angles = options;
+    assume_angles(record, with_angles.classes);
     for (auto& [run, part] : split_runs(record)) {
       const int number = records.size() > 1 ? static_cast<int>(analyses.size()) : run;
-      analyses.push_back({.run = number, .analysis = std::make_unique<Analysis>(std::move(part), known)});
+      analyses.push_back({.run = number, .analysis = std::make_unique<Analysis>(std::move(part), with_angles)});
     }
   }
   return analyses;
@@ -53,10 +53,10 @@ std::vector<RunAnalysis> analyses_of_runs(std::vector<acquire::Record> records, 
 std::vector<RunAnalysis> analyses_of_runs(std::vector<acquire::FrfRecord> sets, const AnalysisOptions& options) {
   std::vector<RunAnalysis> analyses;
   for (acquire::FrfRecord& frfs : sets) {
-    AnalysisOptions known = options;
-    assume_angles(frfs, known.classes);
+    AnalysisOptions with_angles = options;
+    assume_angles(frfs, with_angles.classes);
     const int number = static_cast<int>(analyses.size());
-    analyses.push_back({.run = number, .analysis = std::make_unique<Analysis>(std::move(frfs), known)});
+    analyses.push_back({.run = number, .analysis = std::make_unique<Analysis>(std::move(frfs), with_angles)});
   }
   return analyses;
 }

@@ -88,7 +88,7 @@ class SkippedWorkList {
           Stage{"stabilisation", "stabilisation", "the stabilisation diagram"},
           Stage{"modes per hit", "per_hit", "the modes of each hit alone"}}) {
       if (!ran_.contains(stage.name))
-        out_.push_back({.code = stage.code, .what = stage.what, .why = "it was not demanded", .share = {}});
+        out_.push_back({.code = stage.code, .what = stage.what, .why = "not demanded", .share = {}});
     }
   }
 

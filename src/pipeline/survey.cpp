@@ -24,7 +24,7 @@ constexpr double kSameAngle_rad = 2 * kDegree_rad;  // … and around the tube
 constexpr double kMinSoleProbability = 0.9;         // confidence below which an alternative is named
 
 // The mode type of the second most energetic order.
-std::optional<identify::ModeType> second_type(const identify::TubeShape& tube) {
+identify::ModeType second_type(const identify::TubeShape& tube) {
   int second = -1;
   for (int n = 0; n < static_cast<int>(tube.energy.size()); ++n) {
     if (n == tube.order) continue;
@@ -43,7 +43,8 @@ void classify_by_tube(identify::ModeClassification& classification, const identi
     return;  // the two sensors decided it
   classification.type = type;
   classification.confidence = tube.confidence;
-  classification.alternative = sure ? std::nullopt : second_type(tube);
+  classification.alternative.reset();
+  if (!sure) classification.alternative = second_type(tube);
 }
 
 bool same_pattern(const std::optional<identify::TubeShape>& a, const std::optional<identify::TubeShape>& b) {

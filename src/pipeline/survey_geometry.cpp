@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/io/counted_words.hpp"
 #include "core/units.hpp"
 
 namespace percuss::pipeline {
@@ -70,15 +71,14 @@ void require_points(const acquire::Geometry& geometry, const std::set<int>& meas
 
 std::vector<Warning> missing_points(const acquire::Geometry& geometry, const std::set<int>& measured,
                                     std::size_t files) {
-  std::string names;
-  std::size_t missing = 0;
+  std::vector<int> missing;
   for (const acquire::GeometryPoint& p : geometry.points) {
-    if (measured.contains(p.point)) continue;
-    if (++missing <= kMaxNamed) names += fmt::format("{}{}", names.empty() ? "" : ", ", p.point);
+    if (!measured.contains(p.point)) missing.push_back(p.point);
   }
-  if (missing == 0) return {};
-  if (missing > kMaxNamed) names += fmt::format(" and {} more", missing - kMaxNamed);
-  Warning warning{"missing_points", fmt::format("{} of the geometry's {} points were not measured: {}", missing,
+  if (missing.empty()) return {};
+  const std::string names =
+      limited_list(missing.size(), kMaxNamed, [&](std::size_t i) { return std::to_string(missing[i]); });
+  Warning warning{"missing_points", fmt::format("{} of the geometry's {} points were not measured: {}", missing.size(),
                                                 geometry.points.size(), names)};
   if (files > 1) {
     warning.message += "; files taken as points are numbered in the order of their names, without gaps";

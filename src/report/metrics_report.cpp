@@ -39,7 +39,7 @@ Json uncertainty_of(const metrics::UncertainValue& value) {
 }
 
 Json recorded_or_null(const std::optional<double>& value, double step) {
-  return value ? Json(metrics::recorded(*value, step)) : Json();
+  return value ? Json(metrics::round_to_step(*value, step)) : Json();
 }
 
 Json profile_json(const BatProfileReadings& p, const metrics::BatMetrics& m) {
@@ -52,7 +52,7 @@ Json profile_json(const BatProfileReadings& p, const metrics::BatMetrics& m) {
             {"drop_class", or_null(m.drop_class)}};
   for (std::size_t i = 0; i < p.diameters_in.size(); ++i)
     json["rings"].push_back(
-        {{"z_in", 3 + i}, {"diameter_in", metrics::recorded(p.diameters_in[i], p.steps.diameter_in)}});
+        {{"z_in", 3 + i}, {"diameter_in", metrics::round_to_step(p.diameters_in[i], p.steps.diameter_in)}});
   return json;
 }
 

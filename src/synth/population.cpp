@@ -47,12 +47,12 @@ class PopulationMaker {
   metrics::StudyBat body(metrics::BarrelMaterial material, double length_in, double drop, double moi_33_ozin2,
                          double bending_Hz) {
     metrics::StudyBat bat{.length_in = length_in, .material = material};
-    at(bat, metrics::StudyQuantity::drop) = metrics::recorded(drop, 0.005);
+    at(bat, metrics::StudyQuantity::drop) = metrics::round_to_step(drop, 0.005);
     at(bat, metrics::StudyQuantity::moi) =
-        metrics::recorded(moi_33_ozin2 + 850 * (length_in - 33) + 300 * (drop + 3) + normal(250), 1);
-    at(bat, metrics::StudyQuantity::bending1) = metrics::recorded(bending_Hz - 9 * (length_in - 33), 0.1);
+        metrics::round_to_step(moi_33_ozin2 + 850 * (length_in - 33) + 300 * (drop + 3) + normal(250), 1);
+    at(bat, metrics::StudyQuantity::bending1) = metrics::round_to_step(bending_Hz - 9 * (length_in - 33), 0.1);
     at(bat, metrics::StudyQuantity::bending2) =
-        metrics::recorded(3.6 * *at(bat, metrics::StudyQuantity::bending1) + normal(10), 0.1);
+        metrics::round_to_step(3.6 * *at(bat, metrics::StudyQuantity::bending1) + normal(10), 0.1);
     return bat;
   }
 
@@ -68,9 +68,9 @@ class PopulationMaker {
       besr = 0.70 + 0.005 * (bat.length_in - 33) + normal(0.01);
       bbs_mph = 96 + 1.5 * (bat.length_in - 33) + normal(1);
     }
-    at(bat, metrics::StudyQuantity::besr) = metrics::recorded(besr, 1e-5);
-    at(bat, metrics::StudyQuantity::bbs) = metrics::recorded(bbs_mph, 1e-3);
-    at(bat, metrics::StudyQuantity::bbcor) = metrics::recorded(bbcor, 1e-5);
+    at(bat, metrics::StudyQuantity::besr) = metrics::round_to_step(besr, 1e-5);
+    at(bat, metrics::StudyQuantity::bbs) = metrics::round_to_step(bbs_mph, 1e-3);
+    at(bat, metrics::StudyQuantity::bbcor) = metrics::round_to_step(bbcor, 1e-5);
   }
 
   metrics::StudyBat wood() {
@@ -88,11 +88,11 @@ class PopulationMaker {
 
   metrics::StudyBat hollow(metrics::BarrelMaterial material, double low_Hz, double high_Hz) {
     const double length_in = 31 + std::floor(random_.uniform(0, 4));
-    const double hoop_Hz = metrics::recorded(random_.uniform(low_Hz, high_Hz), 1);
+    const double hoop_Hz = metrics::round_to_step(random_.uniform(low_Hz, high_Hz), 1);
     const double bending_Hz = 175 + normal(30), drop = random_.uniform(-3, -2.1);
     metrics::StudyBat bat = body(material, length_in, drop, 9600, bending_Hz);
     at(bat, metrics::StudyQuantity::hoop1) = hoop_Hz;
-    at(bat, metrics::StudyQuantity::hoop2) = metrics::recorded(1.25 * hoop_Hz + normal(30), 1);
+    at(bat, metrics::StudyQuantity::hoop2) = metrics::round_to_step(1.25 * hoop_Hz + normal(30), 1);
     bat.broken_in = material == metrics::BarrelMaterial::composite && hoop_Hz < 1700;
     perform(bat, hollow_bbcor(hoop_Hz));
     return bat;
@@ -106,7 +106,7 @@ class PopulationMaker {
       state.bat = "break-in";
       state.broken_in = i > 0;
       at(state, metrics::StudyQuantity::hoop1) = hoops_Hz[i];
-      at(state, metrics::StudyQuantity::hoop2) = metrics::recorded(1.25 * hoops_Hz[i], 1);
+      at(state, metrics::StudyQuantity::hoop2) = metrics::round_to_step(1.25 * hoops_Hz[i], 1);
       const bool cracked = i + 1 == hoops_Hz.size();
       perform(state, hollow_bbcor(hoops_Hz[i]) - (cracked ? 0.022 : 0));
       bats_.push_back(std::move(state));

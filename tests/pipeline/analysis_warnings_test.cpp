@@ -10,6 +10,7 @@
 #include "support/force_row.hpp"
 #include "support/messages.hpp"
 #include "support/modal_frfs.hpp"
+#include "synth/read_spec.hpp"
 #include "synth/synthesise.hpp"
 
 namespace percuss::pipeline::warnings_test {
@@ -92,6 +93,27 @@ TEST(Warnings, NameAChannelThatShowsNoMode) {
       });
   EXPECT_THAT(warnings_of(record), Contains(HasSubstr("dead_channel: accel 2 shows none of the ")));
   EXPECT_THAT(warnings_of(good), Not(Contains(HasSubstr("shows none"))));
+}
+
+/// The record with the force of one point in kN.
+acquire::Record with_kilonewtons_at(acquire::Record record, int point) {
+  record.contiguous.clear();
+  record.read_force_N = [inner = record.read_force_N, rows = record.rows, point](std::size_t row, std::size_t first,
+                                                                                 std::span<double> out) {
+    inner(row, first, out);
+    if (rows[row].point != point) return;
+    for (double& force : out) force *= 1e-3;
+  };
+  return record;
+}
+
+TEST(Warnings, BeginWithAForceInAnotherUnit) {
+  const acquire::Record good = synth::synthesise(synth::synth_preset("plate")).record;
+  const AnalysisOptions options = band(50, 500);
+  EXPECT_THAT(warnings_of(good, options), Not(Contains(HasSubstr("units_differ"))));
+  const std::vector<std::string> warnings = warnings_of(with_kilonewtons_at(good, 7), options);
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_THAT(warnings.front(), HasSubstr("units_differ: the force of the hits at point 7 is about "));
 }
 
 TEST(Warnings, NameADeadChannel) {

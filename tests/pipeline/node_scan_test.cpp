@@ -125,8 +125,15 @@ TEST(NodeScan, RefusesPositionsThatContradictTheGeometry) {
   const Analysis analysis(synth::synthesise(scan_spec("wood-bat", 0)).record, {.band_Hz = std::pair{60.0, 1500.0}});
   const ScanPositions millimetres{.start_m = 3e-3, .step_m = 0.25e-3, .count = 25};
   const std::string message = test::input_error_of([&] { scan_nodes(analysis, millimetres, kMinimum_in * kInch_m); });
-  EXPECT_THAT(message,
-              testing::HasSubstr("the positions lie up to 6 mm from the first one, but the record's geometry"));
+  EXPECT_THAT(message, testing::HasSubstr("differ by up to 5.764 in; the scan is 0.2362 in long by the positions, 6 in "
+                                          "by the geometry"));
+}
+
+TEST(ScanPositions, RefuseTwoPointsAtOnePlace) {
+  EXPECT_THAT(test::input_error_of([] {
+                listed_positions({3 * kInch_m, 5 * kInch_m, 3 * kInch_m}, "3,5,3in");
+              }),
+              testing::HasSubstr("two points of the scan lie at 3 in"));
 }
 
 TEST(NodeScan, RefusesHitsAtOnePoint) {

@@ -23,7 +23,7 @@ constexpr std::uint64_t kMaxReadings_bytes = std::uint64_t{16} << 20U;
 std::optional<metrics::UncertainValue> reading(const std::optional<double>& value, double step, double unit,
                                                metrics::Reading which, bool rounded = false) {
   if (!value) return std::nullopt;
-  return metrics::UncertainValue((rounded ? metrics::recorded(*value, step) : *value) * unit,
+  return metrics::UncertainValue((rounded ? metrics::round_to_step(*value, step) : *value) * unit,
                                  metrics::reading_std(step) * unit, which);
 }
 

@@ -10,8 +10,8 @@ namespace percuss::metrics {
 namespace {
 
 constexpr std::size_t kMinSamples = 64, kMaxSamples = std::size_t{1} << 15U;
-constexpr double kLowestLines = 0.7;  // lower end of the band, in spectral lines
-constexpr double kAntiAlias = 0.44;   // upper end, as part of the sampling rate
+constexpr double kMinBandLines = 0.7;  // lower end of the band, in spectral lines
+constexpr double kAntiAlias = 0.44;    // upper end, as part of the sampling rate
 // More than any bat has. The search would take minutes where something else than free decays is in the record, such as
 // a second blow.
 constexpr std::size_t kMaxDecays = 40;
@@ -28,7 +28,7 @@ std::optional<DecayDeflection> decay_deflection(std::span<const double> accel_mp
   const std::size_t safe = identify::safe_start(samples, fs_Hz);
   const double df_Hz = fs_Hz / static_cast<double>(samples - safe);
   const identify::StartedFit started = identify::fit_from_earliest_start(
-      whole, safe, {.band_Hz = {kLowestLines * df_Hz, kAntiAlias * fs_Hz}, .max_decays = kMaxDecays});
+      whole, safe, {.band_Hz = {kMinBandLines * df_Hz, kAntiAlias * fs_Hz}, .max_decays = kMaxDecays});
   if (started.fit.decays.empty() || !started.fit.complete) return std::nullopt;
   DecayDeflection out{.first = onset + started.start, .deflection_m = {}, .std_m = {}};
   const std::size_t count = accel_mps2.size() - out.first;

@@ -11,10 +11,10 @@
 namespace percuss::metrics {
 namespace {
 
-constexpr double kLowest = 4;          // level at which the rise begins, in standard deviations of the noise
-constexpr double kHighest = 0.25;      // level at which the fitted rise ends, over the first extreme
-constexpr double kClearExtreme = 0.2;  // of the largest sample
-constexpr double kFloor = 1e-3;        // of the first extreme: misfit of (1)
+constexpr double kMinRiseLevel = 4;     // level at which the rise begins, in standard deviations of the noise
+constexpr double kMaxRiseLevel = 0.25;  // level at which the fitted rise ends, over the first extreme
+constexpr double kClearExtreme = 0.2;   // of the largest sample
+constexpr double kFloor = 1e-3;         // of the first extreme: misfit of (1)
 // An anti-alias filter rings before the touch: up to this many samples before the rise may have the opposite sign.
 constexpr std::size_t kFilterRinging = 8;
 constexpr double kSmear_samples = 0.5;  // by which such a filter may shift the start of the rise
@@ -105,7 +105,7 @@ ImpactOnset impact_onset(std::span<const double> x, double fs_Hz, std::size_t fi
   const double between = 1 / std::sqrt(12.0);
   const std::size_t top = first_extreme(x, first);
   const double extreme = std::abs(x[top]), sign = std::copysign(1.0, x[top]);
-  const double least = std::max(kLowest * noise, kLowest * kFloor * extreme);
+  const double least = std::max(kMinRiseLevel * noise, kMinRiseLevel * kFloor * extreme);
   // The rise begins after the last sample within the noise that precedes the extreme.
   std::size_t from = top;
   while (from > 0 && sign * x[from - 1] > least) --from;
@@ -113,11 +113,11 @@ ImpactOnset impact_onset(std::span<const double> x, double fs_Hz, std::size_t fi
   double other_side = 0;
   for (std::size_t i = from - std::min(from, kFilterRinging); i < from; ++i)
     other_side = std::max(other_side, -sign * x[i]);
-  const bool rings = other_side > std::max(kLowest * noise, kFloor * extreme);
+  const bool rings = other_side > std::max(kMinRiseLevel * noise, kFloor * extreme);
   const double smear = rings ? kSmear_samples : 0;
   const std::size_t quiet = from - std::min(from, top - from + 1);
   std::size_t to = from;
-  while (to < top && std::abs(x[to]) <= kHighest * extreme) ++to;
+  while (to < top && std::abs(x[to]) <= kMaxRiseLevel * extreme) ++to;
   if (to == from) return {.time_s = (at - 0.5) / fs_Hz, .std_s = std::hypot(between, smear) / fs_Hz};
   const double misfit = std::max(kFloor * extreme, rings ? other_side / 2 : 0.0);
   const Onset onset =

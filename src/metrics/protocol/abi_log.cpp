@@ -8,7 +8,7 @@
 namespace percuss::metrics {
 namespace {
 
-constexpr std::uint64_t kLargestLog_bytes = std::uint64_t{1} << 20U;
+constexpr std::uint64_t kMaxLog_bytes = std::uint64_t{1} << 20U;
 constexpr std::size_t kMaxEntries = 10'000;
 constexpr double kLoadFrame_lbf = 1000;
 
@@ -89,7 +89,7 @@ AbiLog parse_abi_log(std::string_view text, const std::string& where) {
 }
 
 AbiLog read_abi_log(const std::string& path) {
-  return parse_abi_log(read_input(path, kLargestLog_bytes).view(), input_name(path));
+  return parse_abi_log(read_input(path, kMaxLog_bytes).view(), input_name(path));
 }
 
 std::string abi_log_example() {

@@ -56,7 +56,7 @@ void judge_shots(const Session& s, const ProtocolLimits& limits, Certification& 
   for (const SessionShot& shot : s.shots) {
     JudgedShot judged = judge_shot(s, shot, contact_mph(s, shot.z_in), out.balls[shot.ball], limits);
     check_location(s, shot, judged);
-    const auto at = static_cast<HalfInches>(std::lround(2 * shot.z_in));
+    const auto at = half_inches(shot.z_in);
     const double correction = out.correction.value_or(0);
     if (judged.valid()) {
       ++valid[at];
@@ -86,7 +86,7 @@ void search(const Session& s, const ProtocolLimits& limits, Certification& out) 
   std::map<HalfInches, double> tested;
   for (const TestedLocation& location : out.locations) {
     if (!location.complete) continue;
-    tested[static_cast<HalfInches>(std::lround(2 * location.z_in))] = location.mean;
+    tested[half_inches(location.z_in)] = location.mean;
     if (out.best && *out.best >= location.mean) continue;
     out.best = location.mean;
     out.best_std = location.std_error;
@@ -101,7 +101,7 @@ void search(const Session& s, const ProtocolLimits& limits, Certification& out) 
   // An incomplete location with a higher mean so far must be completed before a conclusion.
   for (const TestedLocation& location : out.locations) {
     if (out.search.state != SearchState::shoot && !location.complete && location.mean > out.best)
-      out.search = {.at = static_cast<HalfInches>(std::lround(2 * location.z_in))};
+      out.search = {.at = half_inches(location.z_in)};
   }
   const bool plateau = limits.accept_plateau && out.search.state == SearchState::plateau;
   if (plateau || out.search.state == SearchState::found) out.sweet_spot_in = 0.5 * out.search.at;

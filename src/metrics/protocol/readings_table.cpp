@@ -12,15 +12,15 @@ namespace percuss::metrics {
 namespace {
 
 constexpr std::size_t kMaxRows = 2000, kMaxText = 80, kMaxTimes = 10'000, kRings = 7;
-constexpr double kShortest_in = 12, kLargest = 1e6;
-constexpr double kSmallest = 1e-9;
+constexpr double kMinBatLength_in = 12, kMaxReading = 1e6;
+constexpr double kMinReading = 1e-9;
 
 void read_passed(StrictObject& row, ReadingsRow& out) {
   for (const std::string& column : copied_columns()) {
     if (!row.has(column)) continue;
     if (column.ends_with("_hz")) {
       double freq_Hz = 0;
-      row.read_within(column, kSmallest, kLargest, freq_Hz);
+      row.read_within(column, kMinReading, kMaxReading, freq_Hz);
       out.properties[column] = fmt::format("{}", freq_Hz);
     } else {
       row.read(column, out.properties[column]);
@@ -71,7 +71,7 @@ ReadingsRow read_row(StrictObject& row, const LabReadings& common) {
   read_passed(row, out);
   LabReadings& r = out.readings;
   drop_replaced(row, r);
-  row.read_within("length_in", kShortest_in + kSmallest, kLargest, r.length_in);
+  row.read_within("length_in", kMinBatLength_in + kMinReading, kMaxReading, r.length_in);
   for (const auto& [key, to] : {std::pair{"weight_oz", &r.weight_oz},
                                 {"cg_in", &r.cg_in},
                                 {"moi_oz_in2", &r.moi_ozin2},
@@ -79,10 +79,10 @@ ReadingsRow read_row(StrictObject& row, const LabReadings& common) {
                                 {"v_in_mph", &r.in_mph},
                                 {"v_swing_mph", &r.swing_mph},
                                 {"handle_diameter_in", &r.handle_diameter_in}})
-    row.read_within(key, kSmallest, kLargest, *to);
-  row.read_within("z_in", 0, kLargest, r.z_in);
+    row.read_within(key, kMinReading, kMaxReading, *to);
+  row.read_within("z_in", 0, kMaxReading, r.z_in);
   for (const auto& [key, to] : {std::pair{"v_out_mph", &r.out_mph}, {"besr", &r.besr}, {"bbcor", &r.bbcor}})
-    row.read_within(key, -kLargest, kLargest, *to);
+    row.read_within(key, -kMaxReading, kMaxReading, *to);
   read_lists(row, r);
   return out;
 }

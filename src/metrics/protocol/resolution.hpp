@@ -7,7 +7,7 @@ namespace percuss::metrics {
 double reading_std(double step);
 
 /// Rounds a value to the nearest multiple of `step`, halves away from zero. A step of 0 changes nothing.
-double recorded(double value, double step);
+double round_to_step(double value, double step);
 
 /// Tolerance for the binary form of decimal readings at a limit: 0.690 − 0.676 is slightly less than 0.014.
 inline constexpr double kReadingTolerance = 1e-9;

@@ -14,9 +14,9 @@
 namespace percuss::metrics {
 namespace {
 
-constexpr std::uint64_t kLargestSession_bytes = std::uint64_t{16} << 20U;
+constexpr std::uint64_t kMaxSession_bytes = std::uint64_t{16} << 20U;
 constexpr std::size_t kMaxShots = 100'000;
-constexpr double kFastest_mph = 400;  // no cannon is faster
+constexpr double kMaxSpeed_mph = 400;  // no cannon is faster
 constexpr const char* kSessionExample = "certify.example";
 
 constexpr std::array<std::pair<const char*, PerformanceMetric>, 3> kMetricNames{
@@ -60,9 +60,9 @@ void read_speed(StrictObject& o, const std::string& side, double spacing_in, dou
   if (!pairs_mph.empty()) speed_mph = mean_of(pairs_mph);
   const std::string key = o.has(times) ? times : o.has(pairs) ? pairs : whole;
   for (const double pair : pairs_mph) {
-    if (!(pair > 0 && pair <= kFastest_mph)) o.fail(fmt::format("a speed of {:g} mph", pair), key, "check the gates");
+    if (!(pair > 0 && pair <= kMaxSpeed_mph)) o.fail(fmt::format("a speed of {:g} mph", pair), key, "check the gates");
   }
-  if (!(speed_mph > 0 && speed_mph <= kFastest_mph))
+  if (!(speed_mph > 0 && speed_mph <= kMaxSpeed_mph))
     o.fail(fmt::format("a speed of {:g} mph", speed_mph), key, "give a speed above 0 mph, at most 400 mph");
 }
 
@@ -163,7 +163,7 @@ std::optional<PerformanceMetric> performance_metric_named(std::string_view name)
 }
 
 Session parse_session(std::string_view text, const std::string& where) {
-  if (text.size() > kLargestSession_bytes) throw InputError("longer than 16 MiB", where, "give a session");
+  if (text.size() > kMaxSession_bytes) throw InputError("longer than 16 MiB", where, "give a session");
   Session session;
   const JsonText input{.text = text, .where = where, .options = {kSessionExample}};
   const auto read = [&](StrictObject& o) { read_session_document(o, session); };
@@ -172,7 +172,7 @@ Session parse_session(std::string_view text, const std::string& where) {
 }
 
 Session read_session(const std::string& path) {
-  return parse_session(read_input(path, kLargestSession_bytes).view(), input_name(path));
+  return parse_session(read_input(path, kMaxSession_bytes).view(), input_name(path));
 }
 
 }  // namespace percuss::metrics

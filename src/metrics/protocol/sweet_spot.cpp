@@ -1,13 +1,15 @@
 #include "metrics/protocol/sweet_spot.hpp"
 
+#include <cmath>
 #include <cstdlib>
 #include <set>
+
+#include "metrics/protocol/resolution.hpp"
 
 namespace percuss::metrics {
 namespace {
 
 constexpr HalfInches kFirst = 12, kSecond = 10, kThird = 14;
-constexpr double kSlack = 1e-9;  // 0.690 − 0.687 is slightly less than 0.003 in binary
 
 HalfInches best_of(const std::map<HalfInches, double>& tested) {
   HalfInches best = kFirst;
@@ -26,6 +28,8 @@ std::vector<HalfInches> neighbours(HalfInches at, const std::map<HalfInches, dou
 
 }  // namespace
 
+HalfInches half_inches(double z_in) { return static_cast<HalfInches>(std::lround(2 * z_in)); }
+
 SearchStep next_location(const std::map<HalfInches, double>& tested, const SearchRules& rules) {
   for (const HalfInches at : {kFirst, kSecond, kThird}) {
     if (!tested.contains(at)) return {.at = at};
@@ -42,7 +46,7 @@ SearchStep next_location(const std::map<HalfInches, double>& tested, const Searc
         edge = true;
       } else if (!tested.contains(next)) {
         return {.at = next};
-      } else if (tested.at(best) - tested.at(next) < rules.margin - kSlack && plateau.insert(next).second) {
+      } else if (tested.at(best) - tested.at(next) < rules.margin - kReadingTolerance && plateau.insert(next).second) {
         to_look_at.push_back(next);
       }
     }

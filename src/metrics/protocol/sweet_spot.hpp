@@ -8,6 +8,9 @@ namespace percuss::metrics {
 /// A location on the barrel in half inches from its tip: 12 is 6 in.
 using HalfInches = int;
 
+/// The location nearest to z_in.
+HalfInches half_inches(double z_in);
+
 struct SearchRules {
   double margin = 0.003;          // by which the sweet spot must exceed both neighbours
   HalfInches low = 6, high = 18;  // permitted locations

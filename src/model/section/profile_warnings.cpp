@@ -29,7 +29,7 @@ std::optional<ProfileWarning> profile_warning(const SectionTable& table, const s
 
 std::optional<ProfileWarning> shear_warning(const SectionTable& table, const Material& material) {
   // Wood has about 17 along the grain, metals 3, unidirectional composites up to 30.
-  constexpr double kLargestRatio = 30;
+  constexpr double kMaxRatio = 30;
   double largest = 0, shear_Pa = 0;
   for (const SectionStation& station : table.stations) {
     for (const SectionLayer& layer : station.layers) {
@@ -39,7 +39,7 @@ std::optional<ProfileWarning> shear_warning(const SectionTable& table, const Mat
       largest = std::max(largest, ratio);
     }
   }
-  if (!(largest > kLargestRatio)) return {};
+  if (!(largest > kMaxRatio)) return {};
   const std::string remedy = "give the shear modulus times shape factor of this material";
   return ProfileWarning{
       .code = "low_shear",

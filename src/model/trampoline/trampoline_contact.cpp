@@ -15,10 +15,10 @@ namespace percuss::model {
 namespace {
 
 constexpr std::size_t kContactStates = 4;
-constexpr double kScale_s = 1e-3;                      // τ of t = t₀ + τ s⁴: about the duration of a contact
-constexpr double kContactTolerance = 1e-10;            // error of a step, relative to the ball's speed
-constexpr double kFirstStep = 0.05, kShortest = 1e-9;  // of s
-constexpr double kRootMargin = 1e-12;                  // relative to s: above the rounding error of the separation
+constexpr double kScale_s = 1e-3;                     // τ of t = t₀ + τ s⁴: about the duration of a contact
+constexpr double kContactTolerance = 1e-10;           // error of a step, relative to the ball's speed
+constexpr double kFirstStep = 0.05, kMinStep = 1e-9;  // of s
+constexpr double kRootMargin = 1e-12;                 // relative to s: above the rounding error of the separation
 constexpr double kStarted = 0.1;  // of s: from here on every contact has force, even if it began without
 constexpr double kMaxContactSteps = 1e6;
 using ContactState = std::array<double, kContactStates>;  // ball, its speed, barrel, its speed
@@ -143,14 +143,14 @@ BallAndBarrel ContactSolver::follow(const BallAndBarrel& start) {
       throw InputError("the contact does not end", "trampoline model",
                        "use a higher hoop frequency, or check the constants of the ball", {"hoop"});
     const double error = stepper_->take(now, h, next);
-    if (!(error <= 1) && h > kShortest) {
+    if (!(error <= 1) && h > kMinStep) {
       h *= std::isfinite(error) ? std::clamp(0.9 * std::pow(error, -0.125), 0.1, 0.9) : 0.1;
       continue;
     }
     // At a touch the contact event is zero to within rounding. Only a contact that has had force can end.
     const bool settling = stepper_->contact_event(now) <= 0 && now.s < kStarted;
     holds = stepper_->contact_event(next) >= 0 || settling;
-    if (holds && !settling && stepper_->may_separate(now, next) && h > kShortest) {
+    if (holds && !settling && stepper_->may_separate(now, next) && h > kMinStep) {
       h /= 2;
       continue;
     }

@@ -152,7 +152,7 @@ ExponentFit fit_exponents(const Trampoline& model, const std::vector<MeasuredCor
   fit.b_interval = interval_of(fit.contour, best, 1);
   fit.at_limit = search.meets_limit();
   for (const ExponentInterval& i : {fit.a_interval, fit.b_interval})
-    fit.determined = fit.determined && i.high - i.low < 2 * kMaxDeterminedStd;
+    fit.determined = fit.determined && i.high - i.low < 2 * kMaxDeterminedHalfWidth;
   return fit;
 }
 

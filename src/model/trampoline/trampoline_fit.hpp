@@ -34,7 +34,7 @@ struct ExponentFit {
   std::vector<Exponents> contour;           // pairs with a chi2 of 1 above its minimum; empty if both are held
   ExponentInterval a_interval, b_interval;  // of the contour
   bool at_limit = false;                    // the search's limits cut off a part of the pairs
-  bool determined = true;                   // both intervals are narrower than ± kMaxDeterminedStd
+  bool determined = true;                   // both intervals are narrower than ± kMaxDeterminedHalfWidth
 
   Exponents exponents() const { return {stiffness_exponent, damping_exponent}; }
   std::size_t free() const { return (held.stiffness ? 0U : 1U) + (held.damping ? 0U : 1U); }
@@ -42,7 +42,7 @@ struct ExponentFit {
 
 /// An exponent with a wider interval is not determined: Hertz's contact (a = 1/2) differs from a linear one (a = 0) by
 /// five times as much.
-inline constexpr double kMaxDeterminedStd = 0.1;
+inline constexpr double kMaxDeterminedHalfWidth = 0.1;
 
 /// Fits a and b of rigid_wall_rebound by weighted least squares (Levenberg–Marquardt) within the limits of CcorMisfit.
 /// `model` is the start and holds all other constants, and the held exponents.

@@ -52,13 +52,15 @@ RegressionData without_middle(const RegressionData& data) {
 std::vector<MassLoading> mass_loading(const std::vector<identify::Mode>& modes) {
   std::vector<MassLoading> out;
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    const RegressionData data = without_middle(regression_data(modes[m]));
+    const RegressionData all = regression_data(modes[m]);
+    if (all.square.empty()) continue;
+    const RegressionData data = without_middle(all);
     if (data.square.size() + 1 < kMinPoints) continue;
     const std::vector<double> std(data.square.size(), kRoundingOfFreq);
     const RobustSlope slope = robust_slope(data.square, data.freq, std);
     if (slope.log_chance > kMaxLogChance || std::abs(slope.slope) < kSureSlope * slope.std) continue;
     if (slope.slope > 0) return {};
-    out.push_back({.mode = m, .largest_fall = -slope.slope, .std = slope.std, .points = data.square.size()});
+    out.push_back({.mode = m, .largest_fall = -slope.slope, .std = slope.std, .points = all.square.size()});
   }
   return out;
 }

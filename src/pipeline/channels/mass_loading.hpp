@@ -11,7 +11,7 @@ namespace percuss::pipeline {
 struct MassLoading {
   std::size_t mode = 0;
   double largest_fall = 0, std = 0;  // of the frequency, relative: from a node to the point that moves most
-  std::size_t points = 0;
+  std::size_t points = 0;            // with a frequency of their own
 };
 
 /// The modes whose frequencies differ between the points and fall in this way beyond doubt. Empty where a frequency

@@ -124,10 +124,7 @@ std::optional<RecordedWindow> find_recorded_window(const std::vector<NoiseHistor
     const double end_level = std::exp(line.at_zero + line.slope * levels.time_s.back());
     if (fall > kMinFall && end_level < kMaxEnd && -line.slope > kClear * line.slope_std && straight &&
         std::abs(line.at_zero) < start_tolerance(responses, line)) {
-      return RecordedWindow{.decay_per_s = -line.slope,
-                            .decay_std_per_s = line.slope_std,
-                            .end_level = end_level,
-                            .start_level = std::exp(line.at_zero)};
+      return RecordedWindow{.decay_per_s = -line.slope, .decay_std_per_s = line.slope_std, .end_level = end_level};
     }
   }
   const std::optional<double> end = hann_end_level(responses, blocks);

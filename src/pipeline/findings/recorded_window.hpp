@@ -18,8 +18,7 @@ struct NoiseHistory {
 struct RecordedWindow {
   bool exponential = true;  // false: the noise falls to zero at the end as under a Hann window
   double decay_per_s = 0, decay_std_per_s = 0;
-  double end_level = 0;    // noise at the end over noise before the hit, or in the middle of the record
-  double start_level = 0;  // exponential: the fitted noise at the hit over the noise before it
+  double end_level = 0;  // noise at the end over noise before the hit, or in the middle of the record
 };
 
 /// The window that the noise of the responses shows, if any. An exponential window is found only where the noise before

@@ -146,7 +146,6 @@ Interpolation interpolate_samples(const SamplePrediction& prediction, std::size_
   Interpolation out{.samples = left.householderQr().solve(right)};
   out.square = (left * out.samples - right).squaredNorm();
   out.freedom = static_cast<std::size_t>(rows) - count;
-  out.error = std::sqrt(out.square / static_cast<double>(out.freedom));
   return out;
 }
 

@@ -26,10 +26,9 @@ double backward_error(const SamplePrediction& prediction, std::span<const double
 std::optional<SamplePrediction> fit_prediction(std::span<const std::span<const double>> channels, std::size_t first,
                                                std::size_t end, std::size_t at, std::size_t gap);
 
-/// Interpolated samples, and the errors of the prediction around them.
+/// Interpolated samples, and the scaled errors of the prediction around them: errors over their standard deviation.
 struct Interpolation {
   Eigen::VectorXd samples;
-  double error = 0;         // rms of the scaled errors: errors over their standard deviation
   double square = 0;        // sum of squares of the scaled errors
   std::size_t freedom = 0;  // number of errors minus number of unknowns
 };

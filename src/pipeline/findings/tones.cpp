@@ -56,7 +56,6 @@ void add_tone(ToneFit& fit, std::span<const ToneSignal> signals, const std::vect
   Tone tone{.freq_Hz = turns * fs_Hz, .wanders = wanders_along(signals, turns)};
   for (std::size_t s = 0; s < signals.size(); ++s) {
     const double size = std::abs(amplitude[s]);
-    tone.largest = std::max(tone.largest, size);
     if (signals[s].largest > 0) tone.share = std::max(tone.share, size / signals[s].largest);
     fit.amplitudes[s].push_back(amplitude[s]);
   }

@@ -11,7 +11,6 @@ namespace percuss::pipeline {
 /// A sinusoid that lasts from before a hit to the end of the record: hum of the mains, a machine.
 struct Tone {
   double freq_Hz = 0;
-  double largest = 0;    // largest amplitude in any response
   double share = 0;      // largest ratio of the amplitude in a response to the largest |x| of this response
   bool wanders = false;  // its phase changes along the record, so that no sinusoid removes it
 };

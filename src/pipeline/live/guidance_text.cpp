@@ -9,6 +9,7 @@
 
 #include "acquire/hits/pulse_shape.hpp"
 #include "acquire/live/capture_finding.hpp"
+#include "core/io/counted_words.hpp"
 #include "core/io/significant_digits.hpp"
 
 namespace percuss::pipeline {
@@ -30,8 +31,6 @@ std::string force_text(double peak_N) { return fmt::format("{:.3g} N", std::abs(
 std::string frequency_text(double freq_Hz) {
   return freq_Hz < 1000 ? fmt::format("{:.0f} Hz", freq_Hz) : fmt::format("{:.2f} kHz", freq_Hz / 1000);
 }
-
-const char* plural(std::size_t count) { return count == 1 ? "" : "s"; }
 
 std::string point_text(const SessionPlan& plan, int point) {
   const std::size_t place = index_of(plan, point) + 1, points = plan.points.size();

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kFirstHorizon_s = 0.5;
 constexpr std::size_t kHorizons = 6;    // 0.5 s … 16 s
-constexpr double kShortestCut_s = 0.5;  // of a window that the next blow or a gap ends
-constexpr double kShortestRow_s = 0.1;  // of one that ends with the row of a replayed record: all rows may be short
+constexpr double kMinCut_s = 0.5;       // of a window that the next blow or a gap ends
+constexpr double kMinRow_s = 0.1;       // of one that ends with the row of a replayed record: all rows may be short
 constexpr double kSpareAtCut = 0.98;    // the next blows come a little later in their windows
 constexpr std::size_t kMinTypical = 2;  // blows
 constexpr double kSmallContact = 0.01;  // of the peak: a smaller one lets nothing ring
@@ -106,7 +106,7 @@ bool Guide::choose_length(Window& window, bool last) {
   const std::size_t whole = end - window.first;
   const auto after = history_.losses(end, end + 1);
   const bool row_ends = std::any_of(after.begin(), after.end(), [&](const SampleLoss& loss) { return is_pause(loss); });
-  if (static_cast<double>(whole) >= (row_ends ? kShortestRow_s : kShortestCut_s) * fs_Hz_) {
+  if (static_cast<double>(whole) >= (row_ends ? kMinRow_s : kMinCut_s) * fs_Hz_) {
     length_ = fast_length_at_most(static_cast<std::size_t>(kSpareAtCut * static_cast<double>(whole)) + missing);
     length_by_end_ = last && end == history_.end_frame();
     observer_.on_length(*length_, !row_ends && !length_by_end_);

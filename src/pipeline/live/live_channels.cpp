@@ -12,6 +12,7 @@
 #include "acquire/channels/signal_table.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -127,7 +128,7 @@ std::string name_of_channel(const LiveChannels& channels, std::size_t accel) {
   const std::string& name = channels.accel_names[accel];
   const std::string in_file = acquire::channel_name(accel);
   if (name == number || name.starts_with("accel")) return fmt::format("{} ({})", number, in_file);
-  return fmt::format("{} ({}, {})", number, one_line(name, 40), in_file);
+  return fmt::format("{} ({}, {})", number, one_line(name, kMaxNameBytes), in_file);
 }
 
 LiveChannels live_channels(const StreamFormat& format, const acquire::ReadOptions& stated,
@@ -139,7 +140,6 @@ LiveChannels live_channels(const StreamFormat& format, const acquire::ReadOption
   LiveChannels out{.force = roles.force, .accel = roles.accel};
   if (!roles.has_force)
     throw InputError("no channel is a force", format.device, "name the hammer's channel in the set-up", {"setup"});
-  out.force_name = table.signals[roles.force].name;
   out.force_number = format.number_of(roles.force);
   for (const std::size_t c : roles.accel) {
     out.accel_names.push_back(table.signals[c].name);

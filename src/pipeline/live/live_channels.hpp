@@ -18,8 +18,7 @@ struct LiveChannels {
   std::vector<std::size_t> accel;  // likewise
   double force_to_N = 1;
   std::vector<double> accel_to_mps2;
-  std::string force_name;                  // for people
-  std::vector<std::string> accel_names;    // likewise
+  std::vector<std::string> accel_names;    // for people
   std::size_t force_number = 1;            // of the device's channel, from 1
   std::vector<std::size_t> accel_numbers;  // likewise
   std::vector<Message> notes;              // assumptions about units

@@ -30,10 +30,8 @@ class SampleHistory {
   /// Forgets older frames, block by block.
   void discard_before(std::uint64_t frame);
 
-  bool empty() const { return blocks_.empty(); }
   std::uint64_t first_frame() const { return first_; }
   std::uint64_t end_frame() const { return end_; }
-  std::size_t channels() const { return channels_; }
   /// Frames first … first + out.size() − 1 of a channel, which must lie within the history.
   void read(std::size_t channel, std::uint64_t first, std::span<double> out) const;
   /// The losses that touch the frames first … last − 1, ascending. Samples without a number that follow one another are

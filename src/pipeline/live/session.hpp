@@ -53,7 +53,6 @@ class Session {
   const SessionPlan& plan() const { return plan_; }
   const std::vector<Blow>& blows() const { return blows_; }  // row by row
   int point() const { return plan_.points[current_]; }
-  std::size_t point_index() const { return current_; }
   bool paused() const { return paused_; }
   /// The operator finished, or every point has its blows.
   bool finished() const { return finished_; }

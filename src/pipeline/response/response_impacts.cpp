@@ -10,15 +10,16 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kBlock_s = 0.5e-3, kHistory_s = 20e-3;
-constexpr double kContact_s = 1.5e-3;              // a soft tip needs this long to reach its largest force
-constexpr std::size_t kMinBlock = 8;               // samples
-constexpr double kRise = 10;                       // of the power, within a contact
-constexpr double kWeakest = 3e-3;                  // of the strongest block's power
-constexpr double kAboveQuiet = 30;                 // times the 20 % quantile of the row's block powers
-constexpr std::size_t kFewestBefore = 5;           // longer blocks in the history before a rise
-constexpr std::size_t kLonger = 4, kLongest = 16;  // blocks in a longer block: 4, then 16
-constexpr double kLowestRate_Hz = 5000;            // of the means whose differences are taken
-constexpr double kClearer = 2;  // factor by which a longer mean must raise the ratio of the largest to the quiet power
+constexpr double kContact_s = 1.5e-3;                          // a soft tip needs this long to reach its largest force
+constexpr std::size_t kMinBlock = 8;                           // samples
+constexpr double kRise = 10;                                   // of the power, within a contact
+constexpr double kMinPower = 3e-3;                             // of the strongest block's power
+constexpr double kAboveQuiet = 30;                             // times the 20 % quantile of the row's block powers
+constexpr std::size_t kMinHistoryBlocks = 5;                   // longer blocks in the history before a rise
+constexpr std::size_t kBlockFactor = 4, kMaxBlockFactor = 16;  // blocks in a longer block: 4, then 16
+constexpr double kMinMeanRate_Hz = 5000;                       // of the means whose differences are taken
+constexpr double kMinClarityGain =
+    2;  // factor by which a longer mean must raise the ratio of the largest to the quiet power
 constexpr double kAtStart = 0.5;  // of the strongest block's power: a blow within the first 20 ms of a row
 constexpr std::size_t kNoiseBlocks = 20;
 constexpr double kAboveNoise = 1.5;   // times the largest value in these blocks before the rise
@@ -45,7 +46,7 @@ Blocks blocks_at(double fs_Hz) {
 // more: longer than a beat of two modes takes to rise tenfold.
 Blocks longer_blocks(const Blocks& blocks, std::size_t times) {
   return {.samples = blocks.samples * times,
-          .history = std::max(kFewestBefore, blocks.history / times),
+          .history = std::max(kMinHistoryBlocks, blocks.history / times),
           .contact = 1,
           .above_quiet = kRise};
 }
@@ -105,10 +106,10 @@ Signals clearest_differences(const Signals& x, const Blocks& blocks, double fs_H
   };
   Signals out = differences(x, 1);
   double most = clearness(out);
-  for (std::size_t length = 2; fs_Hz >= kLowestRate_Hz * static_cast<double>(length); length *= 2) {
+  for (std::size_t length = 2; fs_Hz >= kMinMeanRate_Hz * static_cast<double>(length); length *= 2) {
     Signals longer = differences(x, length);
     const double clear = clearness(longer);
-    if (!(clear > kClearer * most)) continue;
+    if (!(clear > kMinClarityGain * most)) continue;
     most = clear;
     out = std::move(longer);
   }
@@ -121,7 +122,7 @@ double median_after(const std::vector<double>& power, std::size_t b, std::size_t
 }
 
 std::vector<std::size_t> rising_blocks(const std::vector<double>& power, const Blocks& blocks) {
-  const double strongest = extremes_of(power).high, weakest = kWeakest * strongest;
+  const double strongest = extremes_of(power).high, weakest = kMinPower * strongest;
   const double least = std::max(weakest, blocks.above_quiet * quiet_level(power));
   std::vector<std::size_t> out;
   for (std::size_t b = 1; b < power.size(); ++b) {
@@ -192,7 +193,7 @@ std::vector<ResponseImpact> response_impacts(const acquire::Record& record, cons
     find_in(clearest, blocks);
     if (found.empty()) find_in(centred(x), blocks);
     // A weak blow in noise shows only in the mean power over a longer time.
-    for (std::size_t times = kLonger; times <= kLongest; times *= kLonger)
+    for (std::size_t times = kBlockFactor; times <= kMaxBlockFactor; times *= kBlockFactor)
       find_in(clearest, longer_blocks(blocks, times));
     std::sort(found.begin(), found.end(),
               [](const ResponseImpact& a, const ResponseImpact& b) { return a.first < b.first; });

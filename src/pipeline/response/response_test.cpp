@@ -22,10 +22,10 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kAntiAlias = 0.44;   // of fs: above it a recorder's filter shapes the response
-constexpr double kLowestLines = 1.5;  // lower end of the default band, in spectral lines
+constexpr double kAntiAlias = 0.44;       // of fs: above it a recorder's filter shapes the response
+constexpr double kMinDefaultLines = 1.5;  // lower end of the default band, in spectral lines
 constexpr std::size_t kMinSamples = 64;
-constexpr double kShortest = 0.5;                           // of the median length
+constexpr double kMinLengthShare = 0.5;                     // of the median length
 constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;  // of a transform
 constexpr int kMaxAttempts = 3;                             // fits, each without the disturbances of the one before
 
@@ -48,7 +48,7 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
   }
   require_hits(options.accept_hits, hits.size(), record, "accept_hit");
   require_hits(options.reject_hits, hits.size(), record, "reject_hit");
-  const double least = std::max(static_cast<double>(kMinSamples), kShortest * median(lengths));
+  const double least = std::max(static_cast<double>(kMinSamples), kMinLengthShare * median(lengths));
   const bool any_shown = std::any_of(hits.begin(), hits.end(), [](const auto& hit) { return hit.impact.whole_pulse; });
   for (std::size_t h = 0; h < hits.size(); ++h) {
     // Without a visible pulse, the impact may lie anywhere in the row.
@@ -121,8 +121,8 @@ bool leave_out_disturbances(ResponseTest& test, const std::vector<std::optional<
 
 std::pair<double, double> band_of(const ResponseTest& test, std::size_t samples) {
   const double fs_Hz = test.record.fs_Hz;
-  const std::pair<double, double> band =
-      test.options.band_Hz.value_or(std::pair(kLowestLines * fs_Hz / static_cast<double>(samples), kAntiAlias * fs_Hz));
+  const std::pair<double, double> band = test.options.band_Hz.value_or(
+      std::pair(kMinDefaultLines * fs_Hz / static_cast<double>(samples), kAntiAlias * fs_Hz));
   require_band(band, fs_Hz, test.record.source());
   return band;
 }

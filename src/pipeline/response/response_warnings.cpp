@@ -46,7 +46,8 @@ std::vector<Warning> hammer_as_response(const acquire::Record& record) {
     return measure <= acquire::kMaxDissimilarityRatio * *smallest;
   });
   if (!(*smallest < acquire::kMaxHammerDissimilarity) || alike > 1) return {};
-  const std::string name = one_line(record.accel[static_cast<std::size_t>(smallest - measures.begin())].name, 40);
+  const auto hammer = static_cast<std::size_t>(smallest - measures.begin());
+  const std::string name = one_line(record.accel[hammer].name, kMaxNameBytes);
   return {with_remedy({"hammer_as_response",
                        name + " looks like the hammer's pulses, but is analysed as a response",
                        {"force_channel", "accel_channel", "force_unit"}},

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
 #include "identify/decay/known_decays.hpp"
 #include "pipeline/hits/motion_before.hpp"
+#include "pipeline/stages/single_hits.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -235,11 +235,10 @@ HitResponses without_ringing(const HitResponses& measured, const std::vector<Ear
 
 void add_ringing_std(const std::vector<EarlierRinging>& ringing, const identify::FrfDataset& set,
                      const TestSpectra& spectra, std::vector<identify::Mode>& modes) {
-  std::set<int> numbers;  // of the points, in the order of the set
-  for (const std::size_t h : accepted_hits(spectra.hits)) numbers.insert(spectra.hits[h].point);
+  const auto places = places_of_points(spectra);
   for (const EarlierRinging& one : ringing) {
     const AnalysedHit& hit = spectra.hits[one.hit];
-    const auto point = static_cast<std::size_t>(std::distance(numbers.begin(), numbers.find(hit.point)));
+    const std::size_t point = places.at(hit.point);
     for (std::size_t i = 0; i < one.rates.size(); ++i) {
       for (identify::Mode& mode : modes) {
         if (!identify::overlap(one.rates[i], identify::decay_rate_of(mode.pole), 0.5)) continue;

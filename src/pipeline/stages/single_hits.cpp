@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 
 #include "core/parallel/parallel.hpp"
 
@@ -11,7 +10,8 @@ namespace {
 
 constexpr std::size_t kFlopsPerLine = 10;  // of the power of a force
 
-// The points' places in the set: ascending by number.
+}  // namespace
+
 std::map<int, std::size_t> places_of_points(const TestSpectra& spectra) {
   std::map<int, std::size_t> places;
   for (const std::size_t h : accepted_hits(spectra.hits)) places[spectra.hits[h].point] = 0;
@@ -19,8 +19,6 @@ std::map<int, std::size_t> places_of_points(const TestSpectra& spectra) {
   for (auto& [point, place] : places) place = next++;
   return places;
 }
-
-}  // namespace
 
 std::vector<std::size_t> comparable_hits(const TestSpectra& spectra) {
   const std::vector<std::size_t> used = accepted_hits(spectra.hits);

@@ -1,10 +1,15 @@
 #pragma once
+#include <cstddef>
+#include <map>
 #include <vector>
 
 #include "identify/hits/hit_frfs.hpp"
 #include "pipeline/stages/frf_averages.hpp"
 
 namespace percuss::pipeline {
+
+/// The index of each point of the accepted hits in the set of their FRFs: ascending by number.
+std::map<int, std::size_t> places_of_points(const TestSpectra& spectra);
 
 /// Indices of the accepted hits that can be compared one by one. The spectrum of a double contact has zeros, near which
 /// the FRF of this hit alone is poor: such hits are left out where two other hits remain.

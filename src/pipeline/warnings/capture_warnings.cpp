@@ -2,23 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
+#include "core/io/counted_words.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
 using acquire::FaultKind, acquire::RecordFault;
 
-// Beyond this the frequencies are wrong by more than a good test's ±.
-constexpr double kLargeDrift = 1e-4;
-
 const char* end_text(FaultKind fault) {
   if (fault == FaultKind::unplugged) return "the device was unplugged";
   return fault == FaultKind::rate_changed ? "the device changed its sampling rate" : "the device stopped";
 }
-
-const char* places_text(std::size_t count) { return count == 1 ? "" : "s"; }
 
 void add_losses(const acquire::Record& record, std::vector<Warning>& out) {
   std::size_t losses = 0, unknown = 0, in_blows = 0, no_numbers = 0;
@@ -40,12 +34,11 @@ void add_losses(const acquire::Record& record, std::vector<Warning>& out) {
     const std::string count = frames > 0
                                   ? fmt::format("{}{:.0f} samples per channel", unknown > 0 ? "at least " : "", frames)
                                   : "an unknown number of samples";
-    text = fmt::format("the capture lost {} in {} place{}, first at {:.1f} s", count, losses, places_text(losses),
-                       first_s);
+    text = fmt::format("the capture lost {} in {} place{}, first at {:.1f} s", count, losses, plural(losses), first_s);
   }
   if (no_numbers > 0) {
     text += fmt::format("{}{:.0f} captured samples are no numbers, in {} place{}, first at {:.1f} s",
-                        text.empty() ? "" : "; ", samples, no_numbers, places_text(no_numbers), first_no_number_s);
+                        text.empty() ? "" : "; ", samples, no_numbers, plural(no_numbers), first_no_number_s);
   }
   if (text.empty()) return;
   if (in_blows > 0)
@@ -62,13 +55,14 @@ std::vector<Warning> capture_warnings(const acquire::Record& record) {
   std::vector<Warning> out;
   add_losses(record, out);
   for (const RecordFault& fault : record.faults) {
-    if (fault.kind == FaultKind::clock_drift && std::abs(fault.value) > kLargeDrift) {
-      out.push_back(with_remedy(
-          {"capture_clock", fmt::format("the device's clock differs by {:.0f} ppm from the computer's, and so may all "
-                                        "frequencies",
-                                        fault.value * 1e6)},
-          "state the true sampling rate"));
-      out.back().options = {"fs"};
+    // A capture states a drift only beyond 200 ppm and five standard deviations: see sample_store.cpp.
+    if (fault.kind == FaultKind::clock_drift) {
+      out.push_back(with_remedy({"capture_clock",
+                                 fmt::format("the device's clock differs by {:.0f} ppm from the computer's, and so may "
+                                             "all frequencies",
+                                             fault.value * 1e6),
+                                 {"fs"}},
+                                "state the true sampling rate"));
     }
     if (fault.kind >= FaultKind::unplugged && fault.kind <= FaultKind::failed)
       out.push_back({"capture_ended", fmt::format("{} after {:.1f} s", end_text(fault.kind), fault.time_s)});

@@ -20,7 +20,7 @@ constexpr double kClearResidue = 20;       // … and of another channel
 constexpr double kVisiblePhase = 0.05;     // rad at the highest mode
 constexpr double kUnitFactor = 1000;       // between m/s² and mm/s², V and mV
 constexpr double kUnitSpread = 5;          // largest factor between residues at two places of a structure
-constexpr double kFastest_mps = 50;        // ten times the speed of a hammer swung by hand
+constexpr double kMaxSpeed_mps = 50;       // ten times the speed of a hammer swung by hand
 constexpr double kSameMotion = 0.98;       // of ChannelPair::correlation
 constexpr double kSameRatio = 1.1;         // of ChannelPair::spread: sensors at one place; bending and hoop differ more
 constexpr double kOppositeMotion = -0.95;  // of ChannelPair::correlation
@@ -130,7 +130,7 @@ std::vector<Warning> units(const acquire::Record& record, const ChannelFindings&
                      {"unit", "accel_scale"}},
                     "state the unit or the scale of each channel"));
   }
-  if (out.empty() && findings.largest_velocity_mps > kFastest_mps) {
+  if (out.empty() && findings.largest_velocity_mps > kMaxSpeed_mps) {
     out.push_back(
         with_remedy({"implausible_motion",
                      fmt::format("a mode moves at {:.3g} m/s after the hits, faster than any hammer: a unit or a "

@@ -4,26 +4,31 @@
 
 #include <algorithm>
 
+#include "pipeline/warnings/hit_list.hpp"
+
 namespace percuss::pipeline {
 namespace {
 
-constexpr const char* kAllHits = "every accepted hit";
 constexpr std::size_t kMinQuiet = 64;  // samples before a hit: they determine the noise to a tenth
 constexpr double kNoiseExtreme = 6;    // standard deviations; a million samples of white noise reach 5
 
-// "hits 1, 3", or kAllHits; empty when the channel is dead in no hit.
-std::string dead_hits(const std::vector<AnalysedHit>& hits, std::size_t channel) {
-  std::string numbers;
-  bool alive = false;
+// Indices of the accepted hits in which the channel is constant, and whether it moves in another one.
+struct DeadHits {
+  std::vector<std::size_t> hits;
+  bool moves = false;
+};
+
+DeadHits dead_hits(const std::vector<AnalysedHit>& hits, std::size_t channel) {
+  DeadHits out;
   for (const std::size_t h : accepted_hits(hits)) {
     if (hits[h].responses.size() <= channel) continue;
     if (hits[h].responses[channel].dead) {
-      numbers += fmt::format("{}{}", numbers.empty() ? "hits " : ", ", h + 1);
+      out.hits.push_back(h);
     } else {
-      alive = true;
+      out.moves = true;
     }
   }
-  return numbers.empty() || alive ? numbers : kAllHits;
+  return out;
 }
 
 // The coarsest step over the accepted hits, as a fraction of the channel's largest response.
@@ -60,15 +65,16 @@ std::vector<Warning> input_warnings(const acquire::Record& record) {
 std::vector<Warning> channel_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {
   std::vector<Warning> out;
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
-    const std::string dead = dead_hits(hits, c);
-    if (dead.empty()) continue;
-    const char* const consequence =
-        dead == kAllHits ? "it shows no modes" : "these hits make its FRFs and residues too small";
-    out.push_back(with_remedy(
-        {"dead_channel",
-         fmt::format("{} is constant in {}: {}", one_line(record.accel[c].name, kMaxNameBytes), dead, consequence),
-         {"accel_channel"}},
-        "check its cable, or choose the other channels"));
+    const DeadHits dead = dead_hits(hits, c);
+    if (dead.hits.empty()) continue;
+    const char* const consequence = !dead.moves             ? "it shows no modes"
+                                    : dead.hits.size() == 1 ? "this hit makes its FRFs and residues too small"
+                                                            : "these hits make its FRFs and residues too small";
+    out.push_back(with_remedy({"dead_channel",
+                               fmt::format("{} is constant in {}: {}", one_line(record.accel[c].name, kMaxNameBytes),
+                                           dead.moves ? hit_list(dead.hits) : "every accepted hit", consequence),
+                               {"accel_channel"}},
+                              "check its cable, or choose the other channels"));
   }
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
     const double step = coarsest_step(hits, c);

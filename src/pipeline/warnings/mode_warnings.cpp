@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/io/counted_words.hpp"
 #include "core/io/significant_digits.hpp"
 #include "identify/select/crowded_fit.hpp"
 
@@ -102,7 +103,7 @@ bool is_split_hoop(const std::vector<identify::Mode>& modes,
                    const std::vector<identify::ModeClassification>& classifications, std::size_t m) {
   const auto& pair = classifications[m].split_mode;
   const auto hoop = [&](std::size_t i) { return classifications[i].type == identify::ModeType::hoop; };
-  const auto bandwidth_Hz = [&](std::size_t i) { return 2 * modes[i].pole.damping_ratio * modes[i].pole.freq_Hz; };
+  const auto bandwidth_Hz = [&](std::size_t i) { return modes[i].pole.half_power_Hz(); };
   if (!pair || !hoop(m) || !hoop(pair->partner)) return false;
   return pair->separation_Hz <= kMaxSplitBandwidths * std::max(bandwidth_Hz(m), bandwidth_Hz(pair->partner));
 }
@@ -111,10 +112,9 @@ std::vector<Warning> unmodelled_pole_warnings(std::vector<identify::Pole> poles,
   std::erase_if(
       poles, [&](const identify::Pole& pole) { return pole.freq_Hz < band_Hz.first || pole.freq_Hz > band_Hz.second; });
   if (poles.empty()) return {};
-  std::string list;
-  for (std::size_t p = 0; p < std::min(poles.size(), kMaxListedEntries); ++p)
-    list += fmt::format("{}{:.6g} Hz ({:.2g} %)", separator(list), poles[p].freq_Hz, 100 * poles[p].damping_ratio);
-  list += and_more(poles.size());
+  const std::string list = limited_list(poles.size(), kMaxListedEntries, [&](std::size_t p) {
+    return fmt::format("{:.6g} Hz ({:.2g} %)", poles[p].freq_Hz, 100 * poles[p].damping_ratio);
+  });
   return {with_remedy({"unmodelled_poles",
                        "stabilisation diagrams of sections of the band show stable poles that no mode describes: " +
                            list + ". Modes may be missing there, and their neighbours may be off by more than their ±",
@@ -129,10 +129,8 @@ std::vector<Warning> below_band_warnings(std::vector<identify::Mode> below, std:
     return !clear || mode.pole.damping_ratio > kMaxDampingBelow;
   });
   if (below.empty()) return {};
-  std::string list;
-  for (std::size_t m = 0; m < std::min(below.size(), kMaxListedEntries); ++m)
-    list += fmt::format("{}{:.6g} Hz", separator(list), below[m].pole.freq_Hz);
-  list += and_more(below.size());
+  const std::string list = limited_list(below.size(), kMaxListedEntries,
+                                        [&](std::size_t m) { return fmt::format("{:.6g} Hz", below[m].pole.freq_Hz); });
   return {with_remedy({"below_band",
                        fmt::format("{} below the default band, {:.4g} to {:.4g} Hz, and {} not listed: {}",
                                    below.size() == 1 ? "a mode lies" : "modes lie", band_Hz.first, band_Hz.second,

@@ -37,7 +37,8 @@ std::vector<Warning> role_warnings(const acquire::Record& record, const std::vec
     }
   }
   if (!(acquire::kMaxDissimilarityRatio * smallest < force_measure)) return {};
-  const std::string force = one_line(record.force.name, 40), response = one_line(record.accel[hammer].name, 40);
+  const std::string force = one_line(record.force.name, kMaxNameBytes);
+  const std::string response = one_line(record.accel[hammer].name, kMaxNameBytes);
   return {with_remedy(
       {"swapped_channels",
        fmt::format("{} looks like the hammer and {} like a response: the channels are swapped", response, force),

@@ -123,7 +123,7 @@ void warn_of_partners(const SurveyResults& survey, std::vector<Warning>& out) {
 
 std::string sensor_name(const SurveyResults& survey, std::size_t channel) {
   const std::string& name = survey.accel.at(channel).name;
-  return name.empty() ? acquire::channel_name(channel) : one_line(name, 40);
+  return name.empty() ? acquire::channel_name(channel) : one_line(name, kMaxNameBytes);
 }
 
 void warn_of_signs(const SurveyResults& survey, std::vector<Warning>& out) {

@@ -20,7 +20,7 @@ constexpr double kInPhase = 0.4;            // RatioAngle::out_of_phase of a rea
 constexpr double kMidway_rad = 0.1;         // 6°, from ratios of ±1
 constexpr double kRightAngle = 0.1;         // cosine of the angle between the sensors
 constexpr double kOwnMode = 0.04;           // relative distance of modes that are no pair of one mode
-constexpr std::size_t kFewestModes = 3;     // that make a statement
+constexpr std::size_t kMinTubeModes = 3;    // that make a statement
 constexpr double kSameFactor = 0.15;        // of the logarithm of a ratio: gains and angles of sensors
 constexpr double kLikeHoop = 0.25;          // the same, from −1
 constexpr double kContradiction = -4;       // log_tube_evidence of the lowest modes
@@ -60,7 +60,7 @@ std::size_t different_modes(const std::vector<ClearRatio>& ratios) {
 }
 
 std::vector<Warning> midway_hit(const std::vector<ClearRatio>& ratios) {
-  if (different_modes(ratios) < kFewestModes) return {};
+  if (different_modes(ratios) < kMinTubeModes) return {};
   const auto all_near = [&](double chi_rad) {
     return std::all_of(ratios.begin(), ratios.end(),
                        [&](const ClearRatio& one) { return std::abs(one.angle.chi_rad - chi_rad) < kMidway_rad; });
@@ -115,8 +115,8 @@ std::vector<Warning> mixed_units(const acquire::Record& record, const std::vecto
 
 std::vector<Warning> contradicted_angles(std::vector<ClearRatio> lowest, const identify::SensorPair& sensors,
                                          const identify::ClassifyOptions& options) {
-  if (options.angles_assumed || lowest.size() < kFewestModes) return {};
-  lowest.resize(kFewestModes);
+  if (options.angles_assumed || lowest.size() < kMinTubeModes) return {};
+  lowest.resize(kMinTubeModes);
   std::vector<identify::RatioAngle> angles;
   for (const ClearRatio& one : lowest) angles.push_back(one.angle);
   const identify::SetUpError error{.angle_rad = options.angle_std_rad, .gain = options.gain_std};
@@ -126,7 +126,7 @@ std::vector<Warning> contradicted_angles(std::vector<ClearRatio> lowest, const i
       {"angles_contradicted",
        fmt::format("the {} lowest modes do not fit a tube with sensors at {:.0f}° and {:.0f}°: an angle, a sign, a "
                    "unit or a sensitivity is wrong, or it is no tube. Bending and hoop are wrong then",
-                   kFewestModes, sensors.first_rad * kRadian_deg, sensors.second_rad * kRadian_deg),
+                   kMinTubeModes, sensors.first_rad * kRadian_deg, sensors.second_rad * kRadian_deg),
        {"angle", "object"}},
       "check and state the sensors' angles, or that it is another object")};
 }

@@ -14,17 +14,9 @@ namespace {
 
 using acquire::FindingCode;
 
-constexpr double kShort = 0.8;           // of the median hit
-constexpr double kDecides = 0.9;         // of the shortest hit: shorter transforms have another cause
-constexpr std::size_t kMaxNumbers = 20;  // of hits or points in a sentence
-
-// `first` is the number of index 0: points count from 0, hits from 1.
-std::string listed(const std::vector<std::size_t>& indices, std::size_t first) {
-  std::string out;
-  for (std::size_t i = 0; i < std::min(indices.size(), kMaxNumbers); ++i)
-    out += fmt::format("{}{}", i > 0 ? ", " : "", indices[i] + first);
-  return indices.size() > kMaxNumbers ? out + fmt::format(" and {} more", indices.size() - kMaxNumbers) : out;
-}
+constexpr double kShort = 0.8;          // of the median hit
+constexpr double kDecides = 0.9;        // of the shortest hit: shorter transforms have another cause
+constexpr std::size_t kMaxPoints = 20;  // in a sentence
 
 struct UsedInSpite {
   std::vector<std::size_t> hits;
@@ -44,12 +36,12 @@ UsedInSpite used_in_spite_of(const std::vector<AnalysedHit>& hits, FindingCode c
   return out;
 }
 
-std::vector<std::size_t> dropped_points(const std::vector<AnalysedHit>& hits) {
+std::vector<int> dropped_points(const std::vector<AnalysedHit>& hits) {
   std::map<int, bool> used;
   for (const AnalysedHit& hit : hits) used[hit.point] = used[hit.point] || hit.accepted;
-  std::vector<std::size_t> out;
+  std::vector<int> out;
   for (const auto& [point, any] : used) {
-    if (!any) out.push_back(static_cast<std::size_t>(point));
+    if (!any) out.push_back(point);
   }
   return out;
 }
@@ -101,14 +93,15 @@ std::vector<Warning> used_hit_warnings(const acquire::Record& record, const std:
                      hit_list(twice.hits), twice.largest * 100)},
         "repeat the hits of these points"));
   }
-  if (const std::vector<std::size_t> points = dropped_points(hits); !points.empty()) {
-    out.push_back(
-        with_remedy({"dropped_points",
-                     fmt::format("no hit can be used at point{} {}: FRFs and shapes lack {}. Each hit's "
-                                 "verdict gives the reason",
-                                 points.size() == 1 ? "" : "s", listed(points, 0), points.size() == 1 ? "it" : "them"),
-                     {"accept_hit"}},
-                    "repeat these hits, or accept one despite its findings"));
+  if (const std::vector<int> points = dropped_points(hits); !points.empty()) {
+    const std::string list =
+        limited_list(points.size(), kMaxPoints, [&](std::size_t i) { return std::to_string(points[i]); });
+    out.push_back(with_remedy({"dropped_points",
+                               fmt::format("no hit can be used at point{} {}: FRFs and shapes lack {}. Each hit's "
+                                           "verdict gives the reason",
+                                           plural(points.size()), list, points.size() == 1 ? "it" : "them"),
+                               {"accept_hit"}},
+                              "repeat these hits, or accept one despite its findings"));
   }
   add_short_hit(out, record, hits, samples);
   return out;

@@ -108,14 +108,14 @@ TEST(DropClass, FollowsTheRules) {
 }
 
 TEST(RecordedReadings, AreRoundedByTheProtocol) {
-  EXPECT_EQ(recorded(33.96, 0.0625), 33.9375);
-  EXPECT_EQ(recorded(33.97, 0.0625), 34);
-  EXPECT_EQ(recorded(31.0524, 0.005), 31.05);
-  EXPECT_EQ(recorded(31.0526, 0.005), 31.055);
-  EXPECT_EQ(recorded(2.6254, 0.001), 2.625);
-  EXPECT_EQ(recorded(145.37, 0.1), 145.4);
-  EXPECT_EQ(recorded(3.21, 0), 3.21);
-  EXPECT_EQ(recorded(7.3, 2), 8);
+  EXPECT_EQ(round_to_step(33.96, 0.0625), 33.9375);
+  EXPECT_EQ(round_to_step(33.97, 0.0625), 34);
+  EXPECT_EQ(round_to_step(31.0524, 0.005), 31.05);
+  EXPECT_EQ(round_to_step(31.0526, 0.005), 31.055);
+  EXPECT_EQ(round_to_step(2.6254, 0.001), 2.625);
+  EXPECT_EQ(round_to_step(145.37, 0.1), 145.4);
+  EXPECT_EQ(round_to_step(3.21, 0), 3.21);
+  EXPECT_EQ(round_to_step(7.3, 2), 8);
 }
 
 TEST(RecordedReadings, HaveUniformErrorsWithinHalfAStep) {

@@ -25,7 +25,10 @@ identify::Mode mode_with(double freq_Hz, int half_waves, double mass_kg, double 
 TEST(MassLoading, IsSeenWhereTheFrequencyFallsWithTheMotion) {
   const auto found = mass_loading({mode_with(200, 1, 0.005, 2e-4, 1), mode_with(500, 2, 0.005, 2e-4, 2)});
   ASSERT_EQ(found.size(), 2U);
-  for (const MassLoading& one : found) EXPECT_NEAR(one.largest_fall, 0.5 * 0.005 * 4, 6 * one.std);
+  for (const MassLoading& one : found) {
+    EXPECT_NEAR(one.largest_fall, 0.5 * 0.005 * 4, 6 * one.std);
+    EXPECT_EQ(one.points, 15U);
+  }
 }
 
 TEST(MassLoading, IsNotSeenInScatterOrWhereFrequenciesRise) {
