@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "acquire/formats/uff/uff_file.hpp"
 #include "support/csv_text.hpp"
@@ -44,7 +45,7 @@ TEST(ModesUff, ContainsEachModeAs55AndAs2414) {
   ASSERT_EQ(old.size(), 10U);
   EXPECT_EQ(old[5], "         1         3         2         8         5         3");
   EXPECT_EQ(old[6], "         2         6         1         1");
-  const double omega = 2 * M_PI * 200;
+  const double omega = 2 * std::numbers::pi * 200;
   const auto eigenvalue = numbers_in(old[7]);
   EXPECT_NEAR(eigenvalue[0] / (-0.01 * omega), 1, 1e-3);
   EXPECT_NEAR(eigenvalue[1] / omega, 1, 1e-3);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -47,7 +48,7 @@ TEST(FirstBlows, TellsRingingFromASilentChannel) {
   Bench bench(struck_tube("0.4, 2, 3.6", 6));
   for (std::size_t i = 1640; i < bench.source.frames(); ++i) {
     for (std::size_t c = 1; c < 3; ++c)
-      bench.source.values[3 * i + c] += 50 * std::sin(2 * 3.14159265358979 * 151.37 * static_cast<double>(i) / 4096);
+      bench.source.values[3 * i + c] += 50 * std::sin(2 * std::numbers::pi * 151.37 * static_cast<double>(i) / 4096);
   }
   bench.play_all();
   for (std::size_t blow = 1; blow < bench.marks().size(); ++blow)
@@ -58,7 +59,7 @@ TEST(FirstBlows, TellsRingingFromASilentChannel) {
 TEST(FirstBlows, SeesContactsBeforeTheSamples) {
   Bench bench(struck_tube("0.4, 1.9, 3.4", 5));
   for (std::size_t i = 0; i < 3; ++i) {
-    const double part = 0.3 * std::pow(std::sin(3.14159265358979 * (static_cast<double>(i) + 0.5) / 3), 2);
+    const double part = 0.3 * std::pow(std::sin(std::numbers::pi * (static_cast<double>(i) + 0.5) / 3), 2);
     bench.source.values[3 * (static_cast<std::size_t>(1.85 * 4096) + i)] += 300 * part;
   }
   bench.play_all();

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "acquire/hits/hits.hpp"
 #include "support/live/guide_bench.hpp"
@@ -103,7 +104,7 @@ TEST(Guide, ReportsPushesThatAreTooLong) {
   const auto push = [&](double at_s, double length_s, double peak_N) {
     const auto first = static_cast<std::size_t>(at_s * 4096), count = static_cast<std::size_t>(length_s * 4096);
     for (std::size_t i = 0; i < count; ++i) {
-      const double phase = 3.14159265358979 * static_cast<double>(i) / static_cast<double>(count);
+      const double phase = std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
       bench.source.values[3 * (first + i)] += peak_N * std::pow(std::sin(phase), 2);
       bench.source.values[3 * (first + i) + 1] += i % 2 == 0 ? 30 : -30;
     }
@@ -217,7 +218,7 @@ TEST(Guide, TakesRowsThatBeginShortlyBeforeTheirPulses) {
   test::LiveSource source(struck_tube("0.4, 1.9, 3.4, 4.9, 6.4", 8));
   source.format.pause_frames = kPause;
   test::MemoryLog log;
-  test::GuideWitness witness;
+  test::GuideRecorder witness;
   Guide guide(source.format, live_channels(source.format, {}), {.plan = {.hits = 5}, .folder = testing::TempDir()}, log,
               witness);
   for (std::size_t row = 0; row < 5; ++row) {

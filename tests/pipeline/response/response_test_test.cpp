@@ -153,7 +153,7 @@ TEST(ResponseTest, EndsWhenItsBudgetIsSpent) {
 
 // In one spectrum, nothing tells a weak close mode from a frequency that changes while the amplitude decays. Here the
 // frequency rises by a quarter of the half-power bandwidth from the first sample to the last.
-TEST(ResponseTest, TakesAMovingFrequencyForOneMode) {
+TEST(ResponseTest, TakesAFrequencyThatChangesDuringTheDecayForOneMode) {
   constexpr double kFreq_Hz = 400, kDamping = 0.003, kRise = 0.25 * 2 * kDamping, kNoise = 0.01;
   const double decay_per_s = kTwoPi * kFreq_Hz * kDamping;
   std::mt19937 random(5);
