@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <limits>
-#include <numeric>
 
 #include "acquire/open_measurement.hpp"
 #include "core/units.hpp"

@@ -5,8 +5,6 @@
 #include <matio.h>
 
 #include <array>
-#include <memory>
-#include <type_traits>
 
 #include "support/input_error.hpp"
 #include "support/mat_builder.hpp"

@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
-#include <random>
 #include <utility>
 
 #include "acquire/channels/csv_columns.hpp"
