@@ -26,8 +26,9 @@
 namespace percuss::stress {
 namespace {
 
-constexpr double kMinCoverage = 0.90, kMaxCoverage = 0.98;  // of 95 % intervals
-constexpr std::size_t kMinModes = 300;                      // a coverage of 95 % is then known to ± 1.3 %
+// Of 95 % intervals. Intervals that are 16 % too narrow cover 90 %, intervals that are 19 % too wide cover 98 %.
+constexpr double kMinCoverage = 0.90, kMaxCoverage = 0.98;
+constexpr std::size_t kMinModes = 300;  // a coverage of 95 % is then known to ± 1.3 %
 constexpr const char* kMeasured = "<!-- measured -->\n";
 
 struct Options {
