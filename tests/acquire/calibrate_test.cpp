@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "support/force_row.hpp"
 #include "support/input_error.hpp"
@@ -126,7 +126,7 @@ TEST(Calibrate, RefusesAStructureThatRings) {
   test::add_filtered_haversine(force, 300.3, 30, 300);
   for (std::size_t i = 300; i < accel.size(); ++i) {
     const double t_s = static_cast<double>(i - 300) / kFs_Hz;
-    accel[i] = 40 * std::exp(-20 * t_s) * std::sin(2 * 3.14159265358979 * 600 * t_s);
+    accel[i] = 40 * std::exp(-20 * t_s) * std::sin(2 * std::numbers::pi * 600 * t_s);
   }
   const Record record = record_in_memory(kFs_Hz, {force}, {{accel}});
   EXPECT_THAT(test::input_error_of([&] { calibrate(record, kMass_kg); }), testing::HasSubstr("the mass is not free"));

@@ -195,7 +195,7 @@ TEST_F(PublicResults, FilesEqualThoseOfAnalyze) {
 
 TEST_F(PublicResults, ArraysGiveTheModesOfTheirRecord) {
   const Record made = synthesise_preset("wood-bat").record;
-  RecordArrays arrays{.fs_Hz = made.fs_Hz(), .angle_rad = {0, 1.5707963267948966}};
+  RecordArrays arrays{.fs_Hz = made.fs_Hz(), .angle_rad = {0, std::numbers::pi / 2}};
   for (std::size_t row = 0; row < made.rows(); ++row) {
     arrays.force_N.push_back(made.force_N(row));
     arrays.accel_mps2.push_back({made.accel_mps2(row, 0), made.accel_mps2(row, 1)});

@@ -40,9 +40,10 @@ TEST_F(AnalyzeResponses, FindsTheModesOfAPing) {
     const json& mode = document["modes"][m];
     EXPECT_GT(mode["frequency_std_hz"].get<double>(), 0);
     // The pole's frequency is the undamped one.
-    const double true_Hz = test::kPing[m].freq_Hz * std::sqrt(1 + test::kPing[m].damping * test::kPing[m].damping);
+    const double true_Hz =
+        test::kPing[m].freq_Hz * std::sqrt(1 + test::kPing[m].damping_ratio * test::kPing[m].damping_ratio);
     EXPECT_NEAR(mode["frequency_hz"].get<double>(), true_Hz, 4 * mode["frequency_std_hz"].get<double>()) << m;
-    EXPECT_NEAR(mode["damping_ratio"].get<double>(), test::kPing[m].damping,
+    EXPECT_NEAR(mode["damping_ratio"].get<double>(), test::kPing[m].damping_ratio,
                 4 * mode["damping_ratio_std"].get<double>());
     EXPECT_LT(mode["frequency_std_hz"].get<double>(), 0.1);  // the fit may begin some ms late
   }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "support/json.hpp"
 #include "support/json_schema.hpp"
@@ -32,7 +33,7 @@ class CalibrateCommand : public testing::Test {
     for (int i = 0; i < 6000; ++i) {
       double force_N = 0;
       for (const auto& [start, peak_N] : {std::pair{800, 40.0}, std::pair{2800, 25.0}, std::pair{4800, 60.0}}) {
-        if (i >= start && i < start + 20) force_N = peak_N * std::sin(M_PI * (i - start) / 20);
+        if (i >= start && i < start + 20) force_N = peak_N * std::sin(std::numbers::pi * (i - start) / 20);
       }
       text += fmt::format("{:.4f},{:.6f},{:.6f}\n", i / 2000.0, force_N / kScale + noise(),
                           force_N / kMass_kg + 0.01 * noise());
@@ -100,7 +101,7 @@ TEST_F(CalibrateCommand, RefusesARecordInNewtons) {
   const std::string path = folder_.file("done.csv");
   std::string text = "t (s),force (N),acc (m/s^2)\n";
   for (int i = 0; i < 3000; ++i) {
-    const double force_N = i >= 800 && i < 820 ? 40 * std::sin(M_PI * (i - 800) / 20) : 0;
+    const double force_N = i >= 800 && i < 820 ? 40 * std::sin(std::numbers::pi * (i - 800) / 20) : 0;
     text += fmt::format("{:.4f},{:.6f},{:.6f}\n", i / 2000.0, force_N, force_N / kMass_kg);
   }
   test::write_bytes(path, text);
@@ -115,7 +116,7 @@ TEST_F(CalibrateCommand, StatesTheScalePerUnitOfTheStoredNumbers) {
   for (const auto& [unit, volts] : {std::pair{"V", 1.0}, std::pair{"mV", 1e-3}}) {
     std::string text = fmt::format("t (s),hammer ({}),acc (m/s^2)\n", unit);
     for (int i = 0; i < 3000; ++i) {
-      const double force_N = i >= 800 && i < 820 ? kPeak_N * std::sin(M_PI * (i - 800) / 20) : 0;
+      const double force_N = i >= 800 && i < 820 ? kPeak_N * std::sin(std::numbers::pi * (i - 800) / 20) : 0;
       text += fmt::format("{:.4f},{:.9f},{:.6f}\n", i / 2000.0, force_N / kNewtonPerVolt / volts, force_N / kMass_kg);
     }
     const std::string path = folder_.file(fmt::format("in_{}.csv", unit));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 #include <sstream>
 
 #include "support/json.hpp"
@@ -71,7 +72,7 @@ TEST_F(FrfCommand, PrintsTheFrfsAsText) {
 }
 
 TEST_F(FrfCommand, ConvertsToMobilityAndReceptance) {
-  const double omega = 2 * M_PI * 200;
+  const double omega = 2 * std::numbers::pi * 200;
   const auto magnitude_of = [&](const char* kind) {
     return magnitude(line_at(frf({file("bat.h5"), "--kind", kind}).out, 200));
   };

@@ -97,11 +97,11 @@ TEST_F(Faults, OfAddressSpaceDoNotChangeASmallTest) {
 TEST_F(Faults, OfTheDiskLeaveNoFile) {
   const test::ScratchFolder inputs;
   test::write_small_test(inputs.file("record.h5"));
-  for (const char* kind : {".csv", ".h5", ".uff", ".mat", ".wav", ".rf64", ".w64"}) {
-    const std::string path = folder_.file(std::string("out") + kind);
+  for (const char* extension : {".csv", ".h5", ".uff", ".mat", ".wav", ".rf64", ".w64"}) {
+    const std::string path = folder_.file(std::string("out") + extension);
     int failures = 0;
     for (long n = 1; n < 100; n += 1 + n / 4) {
-      SCOPED_TRACE(kind + std::string(" write ") + std::to_string(n));
+      SCOPED_TRACE(extension + std::string(" write ") + std::to_string(n));
       const ProcessOutcome outcome = run({"convert", inputs.file("record.h5"), path}, "WRITE", n);
       ASSERT_EQ(outcome.signal, 0);
       if (outcome.code == 0) break;
@@ -110,7 +110,7 @@ TEST_F(Faults, OfTheDiskLeaveNoFile) {
       ASSERT_THAT(outcome.err, HasSubstr(path));
       ASSERT_THAT(folder_.names(), IsEmpty());
     }
-    EXPECT_GE(failures, 1) << kind;
+    EXPECT_GE(failures, 1) << extension;
     clear();
   }
 }
@@ -118,8 +118,8 @@ TEST_F(Faults, OfTheDiskLeaveNoFile) {
 TEST_F(Faults, OfTheDiskLeaveTheOldFile) {
   const test::ScratchFolder inputs;
   test::write_small_test(inputs.file("record.h5"));
-  for (const char* kind : {".csv", ".h5", ".uff", ".mat", ".wav"}) {
-    const std::string path = folder_.file(std::string("out") + kind);
+  for (const char* extension : {".csv", ".h5", ".uff", ".mat", ".wav"}) {
+    const std::string path = folder_.file(std::string("out") + extension);
     test::write_bytes(path, "old");
     EXPECT_EQ(run({"convert", inputs.file("record.h5"), path, "--force"}, "WRITE", 2).code, 3);
     EXPECT_EQ(bytes_of(path), "old");
@@ -129,13 +129,13 @@ TEST_F(Faults, OfTheDiskLeaveTheOldFile) {
 TEST_F(Faults, OfShortWritesAreHandled) {
   const test::ScratchFolder inputs;
   test::write_small_test(inputs.file("record.h5"));
-  for (const char* kind : {".csv", ".h5", ".uff", ".mat", ".wav", ".rf64", ".w64"}) {
-    const std::string whole = folder_.file(std::string("whole") + kind),
-                      bits = folder_.file(std::string("bits") + kind);
+  for (const char* extension : {".csv", ".h5", ".uff", ".mat", ".wav", ".rf64", ".w64"}) {
+    const std::string whole = folder_.file(std::string("whole") + extension),
+                      bits = folder_.file(std::string("bits") + extension);
     ASSERT_EQ(test::run_percuss({"convert", inputs.file("record.h5"), whole}).code, 0);
     const ProcessOutcome outcome = run({"convert", inputs.file("record.h5"), bits}, "SHORT", 97);
-    ASSERT_EQ(outcome.code, 0) << kind << outcome.err;
-    EXPECT_TRUE(bytes_of(whole) == bytes_of(bits)) << kind;
+    ASSERT_EQ(outcome.code, 0) << extension << outcome.err;
+    EXPECT_TRUE(bytes_of(whole) == bytes_of(bits)) << extension;
   }
 }
 

@@ -20,7 +20,6 @@ using test::ProcessOutcome;
 using test::run_percuss;
 using test::write_bytes;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
 
 const std::vector<std::string> kHidden{"\u202e", "\x1b",   "\r",     "\x07",   "\x7f",   "\u0085", "\u009b", "\u200b",

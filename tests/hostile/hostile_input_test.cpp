@@ -143,9 +143,9 @@ TEST_F(HostileInput, RejectsABadChannelSetUp) {
 
 TEST_F(HostileInput, RejectsOutputsThatCannotBeWritten) {
   test::write_small_test(file("bat.h5"), R"("hits": 1)");
-  for (const char* kind : {".json", ".csv", ".h5"}) {
-    rejection_of({"analyze", file("bat.h5"), "-o", file("none") + "/out" + kind}, {}, file("none"));
-    rejection_of({"frf", file("bat.h5"), "-o", file("none") + "/out" + kind}, {}, file("none"));
+  for (const char* extension : {".json", ".csv", ".h5"}) {
+    rejection_of({"analyze", file("bat.h5"), "-o", file("none") + "/out" + extension}, {}, file("none"));
+    rejection_of({"frf", file("bat.h5"), "-o", file("none") + "/out" + extension}, {}, file("none"));
   }
   const auto look_only =
       fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec;

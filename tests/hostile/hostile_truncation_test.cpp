@@ -19,7 +19,6 @@ using test::Hdf5Builder;
 using test::rejection_of;
 using test::run_percuss;
 using testing::AnyOf;
-using testing::HasSubstr;
 
 class HostileTruncation : public testing::Test {
  protected:

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <numbers>
 
 #include "acquire/open_measurement.hpp"
 #include "pipeline/analysis.hpp"
@@ -52,7 +53,7 @@ void write_record(const std::string& path) {
   H5Awrite(rate, H5T_NATIVE_DOUBLE, &fs_Hz);
   const hid_t force = create_set(file, "force", {kSamples}), accel = create_set(file, "accel", {2, kSamples});
   std::vector<double> pulse, decay;
-  for (int i = 0; i < 20; ++i) pulse.push_back(200 * std::sin(i * 3.14159 / 20));
+  for (int i = 0; i < 20; ++i) pulse.push_back(200 * std::sin(i * std::numbers::pi / 20));
   for (int i = 0; i < 40000; ++i) decay.push_back(50 * std::exp(-i / 5000.0) * std::sin(i * 0.1));
   for (hsize_t hit = 0; hit < kHits; ++hit) {
     const hsize_t at = 5000 + hit * kHitEvery;

@@ -43,8 +43,8 @@ class Limits : public testing::Test {
         {"survey", inputs_.file("record.h5"), "--quiet", "-o", folder_.file("s.h5")},
         {"frf", inputs_.file("record.h5"), "--quiet", "-o", folder_.file("f.h5")},
         {"synth", "wood-bat", "--quiet", "-o", folder_.file("y.h5")}};
-    for (const char* kind : {".csv", ".h5", ".uff", ".mat", ".wav"})
-      all.push_back({"convert", inputs_.file("record.csv"), folder_.file(std::string("c") + kind), "--quiet"});
+    for (const char* extension : {".csv", ".h5", ".uff", ".mat", ".wav"})
+      all.push_back({"convert", inputs_.file("record.csv"), folder_.file(std::string("c") + extension), "--quiet"});
     return all;
   }
 

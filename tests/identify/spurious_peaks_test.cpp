@@ -40,7 +40,7 @@ FrfDataset survey(double low_Hz, std::uint64_t seed) {
   return set;
 }
 
-TEST(IdentifyModes, KeepsTheModesWithAPeakWhenTheResidualHasManyPeaks) {
+TEST(SpuriousPeaks, KeepsTheModesWithAPeakWhenTheResidualHasManyPeaks) {
   for (const double low_Hz : {70.0, 80.0}) {
     const auto modes = identify_modes(survey(low_Hz, 1));
     for (const double freq_Hz : kModes_Hz) {

@@ -8,6 +8,8 @@ namespace percuss::metrics::compare_test {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
+constexpr double kRounding = 1e-12;  // of a few operations on values of about 1
+
 ComparedDocument document_with(const std::vector<double>& freq_Hz, const std::string& family = "") {
   ComparedDocument document;
   for (const double f : freq_Hz) document.modes.push_back({.freq_Hz = f, .family = family, .shape = {}});
@@ -27,7 +29,7 @@ TEST(PairModes, PairsTheNearestInOrder) {
               ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1), testing::Pair(2, 3), testing::Pair(3, 4)));
   EXPECT_THAT(paired.unpaired_a, IsEmpty());
   EXPECT_THAT(paired.unpaired_b, ElementsAre(2));
-  EXPECT_NEAR(paired.pairs[0].difference_percent, 100 * 5 / 165.0, 1e-9);
+  EXPECT_NEAR(paired.pairs[0].difference_percent, 100 * 5 / 165.0, kRounding);
 }
 
 TEST(PairModes, MaximisesTheNumberOfPairs) {
@@ -71,7 +73,7 @@ TEST(PairModes, PairsByShapeWherePossible) {
   a.modes[1].shape = b.modes[0].shape = shape(1, 0, -1);
   const PairedModes paired = pair_modes(a, b);
   EXPECT_THAT(indices(paired), ElementsAre(testing::Pair(0, 1), testing::Pair(1, 0)));
-  EXPECT_NEAR(paired.pairs[0].mac->value, 1, 1e-12);
+  EXPECT_NEAR(paired.pairs[0].mac->value, 1, kRounding);
 }
 
 // Each pair of modes decides by itself whether it pairs by shape. Here the first modes have no shape.
@@ -104,9 +106,9 @@ TEST(PairDeflections, InterpolatesAModelBetweenItsPositions) {
   const auto model = deflected(true, {{0.1, 0.0022}, {0.3, 0.0066}});
   for (const auto& pairs : {pair_deflections(test, model), pair_deflections(model, test)}) {
     ASSERT_EQ(pairs.size(), 2U);  // none beyond the model's positions
-    EXPECT_NEAR(pairs[0].ratio, 1.1, 1e-12);
-    EXPECT_NEAR(pairs[1].ratio, 1.1, 1e-12);
-    EXPECT_NEAR(pairs[0].ratio_std, 0.011, 1e-12);
+    EXPECT_NEAR(pairs[0].ratio, 1.1, kRounding);
+    EXPECT_NEAR(pairs[1].ratio, 1.1, kRounding);
+    EXPECT_NEAR(pairs[0].ratio_std, 0.011, kRounding);
   }
   EXPECT_EQ(pair_deflections(model, test)[0].a_m, 0.0022);
 }

@@ -85,7 +85,7 @@ class BarrelSurvey : public testing::Test {
 };
 
 TEST_F(BarrelSurvey, FindsTheShapes) {
-  constexpr double kAlike = 1e-4;
+  constexpr double kAlike = 1e-5;  // noise over 40 points; measured 4e-7
   ASSERT_EQ(survey_->shapes().size(), 5U);
   for (std::size_t m = 0; m < 5; ++m) {
     identify::ShapeValues found, exact;
@@ -110,7 +110,7 @@ TEST_F(BarrelSurvey, ScalesShapesToUnitModalMassByTheDrivingPoint) {
     for (const identify::ShapePlace& place : shape.places) {
       const double exact = sign * truth(m, place.point);
       const double std = std::hypot(place.std, shape.scale_std * std::abs(exact));
-      EXPECT_LE(std::abs(place.value.real() - exact), kDeviations * std + 1e-3) << m << " " << place.point;
+      EXPECT_LE(std::abs(place.value.real() - exact), kDeviations * std) << m << " " << place.point;
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace percuss::stress {
 namespace {
@@ -23,8 +24,8 @@ bool are_separable(const TrueMode& a, const TrueMode& b) {
 }
 
 ModeError mode_error_of(const identify::Mode& mode, const identify::Pole& truth) {
-  const auto beyond = [](double error, double floor, double std) {
-    return std::max(0.0, std::abs(error) - floor) / std;
+  const auto beyond = [](double error, double rounding, double std) {
+    return std::max(0.0, std::abs(error) - rounding) / std;
   };
   return {.freq_sigmas = beyond(mode.pole.freq_Hz - truth.freq_Hz, kRoundingOfPole * truth.freq_Hz, mode.freq_std_Hz),
           .damping_sigmas = beyond(mode.pole.damping_ratio - truth.damping_ratio, kRoundingOfPole, mode.damping_std)};
@@ -37,7 +38,7 @@ bool is_candidate_for(const identify::Mode& mode, const identify::Pole& truth) {
   return off_Hz <= std::max(kNear * width_Hz(truth), kMaxSigmas * mode.freq_std_Hz);
 }
 
-std::string words(const identify::Mode& mode) {
+std::string text_of(const identify::Mode& mode) {
   return fmt::format("{:.9g} ± {:.2g} Hz, {:.6g} ± {:.2g}", mode.pole.freq_Hz, mode.freq_std_Hz,
                      mode.pole.damping_ratio, mode.damping_std);
 }
@@ -105,17 +106,17 @@ class Judge {
   bool stands_for_cluster(const identify::Mode& mode, std::size_t t) const {
     const auto [first, last] = cluster(t);
     if (first == last) return false;
-    double low_Hz = 1e300, high_Hz = 0, least = 1, most = 0;
+    double low_Hz = std::numeric_limits<double>::infinity(), high_Hz = 0, min_damping = 1, max_damping = 0;
     for (std::size_t i = first; i <= last; ++i) {
       low_Hz = std::min(low_Hz, truth_[i].pole.freq_Hz);
       high_Hz = std::max(high_Hz, truth_[i].pole.freq_Hz);
-      least = std::min(least, truth_[i].pole.damping_ratio);
-      most = std::max(most, truth_[i].pole.damping_ratio);
+      min_damping = std::min(min_damping, truth_[i].pole.damping_ratio);
+      max_damping = std::max(max_damping, truth_[i].pole.damping_ratio);
     }
-    most += (high_Hz - low_Hz) / (2 * low_Hz);
+    max_damping += (high_Hz - low_Hz) / (2 * low_Hz);
     const double f = kMaxSigmas * mode.freq_std_Hz, d = kMaxSigmas * mode.damping_std;
     return mode.pole.freq_Hz >= low_Hz - f && mode.pole.freq_Hz <= high_Hz + f &&
-           mode.pole.damping_ratio >= least - d && mode.pole.damping_ratio <= most + d;
+           mode.pole.damping_ratio >= min_damping - d && mode.pole.damping_ratio <= max_damping + d;
   }
 
   void match() {
@@ -147,7 +148,7 @@ class Judge {
       const identify::Mode& mode = outcome_.modes[m];
       const std::size_t t = of_mode_[m];
       if (t == truth_.size()) {
-        if (!warned_) fail("spurious mode: " + words(mode));
+        if (!warned_) fail("spurious mode: " + text_of(mode));
         continue;
       }
       const auto [first, last] = cluster(t);
@@ -162,13 +163,13 @@ class Judge {
     }
     for (std::size_t t = 0; t < truth_.size(); ++t) {
       if (of_truth_[t] != outcome_.modes.size() || stood_for[t]) continue;
-      if (must_be_found(truth_[t]) && !named(truth_[t].pole) && (!warned_ || expected_.freq_relative))
+      if (must_be_found(truth_[t]) && !is_named(truth_[t].pole) && (!warned_ || expected_.freq_relative))
         fail(fmt::format("missed: {:.9g} Hz, {:.6g}", truth_[t].pole.freq_Hz, truth_[t].pole.damping_ratio));
     }
   }
 
   // Whether the warning unclaimed_peaks names a frequency near this mode. The mode may then be missing.
-  bool named(const identify::Pole& truth) const {
+  bool is_named(const identify::Pole& truth) const {
     const double near_Hz = kNear * std::max(width_Hz(truth), outcome_.df_Hz);
     return std::any_of(outcome_.unexplained_Hz.begin(), outcome_.unexplained_Hz.end(),
                        [&](double freq_Hz) { return std::abs(freq_Hz - truth.freq_Hz) <= near_Hz; });
@@ -182,7 +183,7 @@ class Judge {
     const double damping_absolute = std::abs(mode.pole.damping_ratio - truth.damping_ratio);
     result_.freq_relative = std::max(result_.freq_relative, freq_relative);
     result_.damping_absolute = std::max(result_.damping_absolute, damping_absolute);
-    const auto of_truth = fmt::format("{} for {:.9g} Hz, {:.6g}", words(mode), truth.freq_Hz, truth.damping_ratio);
+    const auto of_truth = fmt::format("{} for {:.9g} Hz, {:.6g}", text_of(mode), truth.freq_Hz, truth.damping_ratio);
     if (!warned_ && !(worse(error) <= kMaxSigmas))
       fail(fmt::format("{:.1f} and {:.1f} standard deviations off: {}", error.freq_sigmas, error.damping_sigmas,
                        of_truth));

@@ -42,10 +42,10 @@ void compare(const CommandResult& before, const CommandResult& after, const Chan
     const identify::Mode& b = after.modes[m];
     expect(change.freq * a.pole.freq_Hz, b.pole.freq_Hz, change.freq * a.freq_std_Hz, "frequency", m);
     expect(a.pole.damping_ratio, b.pole.damping_ratio, a.damping_std, "damping ratio", m);
-    for (std::size_t o = 0; o < a.residues.size(); ++o) {
-      const identify::Residue& was = a.residues[o];
+    for (std::size_t r = 0; r < a.residues.size(); ++r) {
+      const identify::Residue& was = a.residues[r];
       const auto moved = change.channel.find(was.channel);
-      const identify::Residue& is = b.residues[moved == change.channel.end() ? o : moved->second];
+      const identify::Residue& is = b.residues[moved == change.channel.end() ? r : moved->second];
       const double std = std::abs(change.residue) * std::hypot(was.std, was.relative_std * std::abs(was.value));
       expect(0, std::abs(is.value - change.residue * was.value), std, "residue", m);
     }

@@ -26,8 +26,9 @@
 namespace percuss::stress {
 namespace {
 
-constexpr double kMinCoverage = 0.90, kMaxCoverage = 0.98;  // of 95 % intervals
-constexpr std::size_t kMinModes = 300;                      // a coverage of 95 % is then known to ± 1.3 %
+// Of 95 % intervals. Intervals that are 16 % too narrow cover 90 %, intervals that are 19 % too wide cover 98 %.
+constexpr double kMinCoverage = 0.90, kMaxCoverage = 0.98;
+constexpr std::size_t kMinModes = 300;  // a coverage of 95 % is then known to ± 1.3 %
 constexpr const char* kMeasured = "<!-- measured -->\n";
 
 struct Options {
@@ -81,13 +82,13 @@ void write_table(const std::string& path, const std::string& tables) {
   if (!out) throw std::runtime_error(path + ": cannot be written");
 }
 
-std::string words(const Coverage& coverage) {
+std::string text_of(const Coverage& coverage) {
   if (coverage.modes == 0) return "no intervals to compare with the truth";
   return fmt::format("95 % intervals hold the truth in {:.1f} % (frequency) and {:.1f} % (damping ratio) of {} modes",
                      100 * coverage.of_freq(), 100 * coverage.of_damping(), coverage.modes);
 }
 
-bool in_range(double part) { return part >= kMinCoverage && part <= kMaxCoverage; }
+bool in_range(double fraction) { return fraction >= kMinCoverage && fraction <= kMaxCoverage; }
 
 int run(const Options& options) {
   std::vector<Check> checks = all_checks();
@@ -117,10 +118,10 @@ int run(const Options& options) {
   }
   const std::string cells = fmt::format("{} cells: {} as expected, {} with known defects, {} fail.", summaries.size(),
                                         summaries.size() - known - failed, known, failed);
-  std::cout << cells << ' ' << words(coverage) << '\n';
+  std::cout << cells << ' ' << text_of(coverage) << '\n';
   if (!options.table.empty()) {
     const std::string defects = defects_of(summaries);
-    write_table(options.table, "\n" + cells + '\n' + words(coverage) + ".\n" +
+    write_table(options.table, "\n" + cells + '\n' + text_of(coverage) + ".\n" +
                                    (defects.empty() ? "" : "\n### Known defects\n" + defects) + tables_of(summaries));
   }
   const bool covered = coverage.modes < kMinModes || (in_range(coverage.of_freq()) && in_range(coverage.of_damping()));

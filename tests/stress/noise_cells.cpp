@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kNone = 1000;  // dB
 
-std::string words(double snr_dB) { return snr_dB < kNone ? fmt::format("{:g} dB", snr_dB) : "no noise"; }
+std::string text_of(double snr_dB) { return snr_dB < kNone ? fmt::format("{:g} dB", snr_dB) : "no noise"; }
 
 // Where the pulse barely exceeds its noise, the gain of the FRF is uncertain by 10 %, and reported modes must still be
 // right. Below 20 dB no pulse is visible.
@@ -24,7 +24,7 @@ std::vector<Cell> noise_cells() {
   for (const double force_dB : {0.0, 20.0, 40.0, 60.0, 80.0, kNone}) {
     for (const double accel_dB : {0.0, 20.0, 40.0, 60.0, 80.0, kNone}) {
       Cell cell{.group = "noise",
-                .name = fmt::format("force {}, response {}", words(force_dB), words(accel_dB)),
+                .name = fmt::format("force {}, response {}", text_of(force_dB), text_of(accel_dB)),
                 .spec = two_modes(),
                 .expected = expected_at(force_dB),
                 .runs = 4,

@@ -18,27 +18,27 @@ Cell cell_of(const std::string& name, Expectation expected) {
 // The largest force is 300 N, the largest acceleration near 500 m/s².
 std::vector<Cell> offsets() {
   std::vector<Cell> cells;
-  for (const double part : {0.01, 0.1, 1.0}) {
-    Cell both = cell_of(fmt::format("constant offset, {:g} of the peaks", part), {.demand = Demand::all});
-    both.spec.recorder.force_bias_N = 300 * part;
-    both.spec.recorder.accel_bias_mps2 = 500 * part;
+  for (const double fraction : {0.01, 0.1, 1.0}) {
+    Cell both = cell_of(fmt::format("constant offset, {:g} of the peaks", fraction), {.demand = Demand::all});
+    both.spec.recorder.force_bias_N = 300 * fraction;
+    both.spec.recorder.accel_bias_mps2 = 500 * fraction;
     cells.push_back(std::move(both));
-    Cell drift = cell_of(fmt::format("drift over the record, {:g} of the peak", part), {.demand = Demand::all});
-    drift.spec.recorder.accel_drift_mps2_per_s = 500 * part;
+    Cell drift = cell_of(fmt::format("drift over the record, {:g} of the peak", fraction), {.demand = Demand::all});
+    drift.spec.recorder.accel_drift_mps2_per_s = 500 * fraction;
     cells.push_back(std::move(drift));
   }
   // Drifts of ten and of a hundred times the motion of the structure are subtracted; a finding must state this.
-  for (const double part : {10.0, 100.0}) {
-    Cell drift = cell_of(fmt::format("drift over the record, {:g} of the peak", part),
+  for (const double fraction : {10.0, 100.0}) {
+    Cell drift = cell_of(fmt::format("drift over the record, {:g} of the peak", fraction),
                          {.demand = Demand::all, .says = {"offset"}});
-    drift.spec.recorder.accel_drift_mps2_per_s = 500 * part;
+    drift.spec.recorder.accel_drift_mps2_per_s = 500 * fraction;
     cells.push_back(std::move(drift));
   }
   for (const double mains_Hz : {50.0, 60.0}) {
-    for (const double part : {1e-4, 1e-3, 0.01, 0.1}) {
-      Cell hum = cell_of(fmt::format("hum at {:g} Hz and odd harmonics, {:g} of the peak", mains_Hz, part),
+    for (const double fraction : {1e-4, 1e-3, 0.01, 0.1}) {
+      Cell hum = cell_of(fmt::format("hum at {:g} Hz and odd harmonics, {:g} of the peak", mains_Hz, fraction),
                          {.text = "both modes within 5σ, no mode at the mains' harmonics", .demand = Demand::all});
-      hum.alter = [=](Samples& samples) { add_hum(samples, mains_Hz, part); };
+      hum.alter = [=](Samples& samples) { add_hum(samples, mains_Hz, fraction); };
       cells.push_back(std::move(hum));
     }
   }

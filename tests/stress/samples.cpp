@@ -10,10 +10,14 @@ namespace percuss::stress {
 namespace {
 
 template <class Change>
-void change_all(Samples& samples, Change change) {
+void change_force(Samples& samples, Change change) {
   for (auto& row : samples.force_N) {
     for (double& x : row) x = change(x);
   }
+}
+
+template <class Change>
+void change_accel(Samples& samples, Change change) {
   for (auto& row : samples.accel_mps2) {
     for (auto& channel : row) {
       for (double& x : channel) x = change(x);
@@ -60,14 +64,8 @@ acquire::Record record_of(Samples samples, const acquire::Record& like) {
 }
 
 void scale(Samples& samples, double force, double accel) {
-  for (auto& row : samples.force_N) {
-    for (double& x : row) x *= force;
-  }
-  for (auto& row : samples.accel_mps2) {
-    for (auto& channel : row) {
-      for (double& x : channel) x *= accel;
-    }
-  }
+  change_force(samples, [force](double x) { return x * force; });
+  change_accel(samples, [accel](double x) { return x * accel; });
 }
 
 void cut(Samples& samples, std::size_t count) {
@@ -78,7 +76,9 @@ void cut(Samples& samples, std::size_t count) {
 }
 
 void round_to_float(Samples& samples) {
-  change_all(samples, [](double x) { return static_cast<double>(static_cast<float>(x)); });
+  const auto rounded = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+  change_force(samples, rounded);
+  change_accel(samples, rounded);
 }
 
 void swap_force_and_first_accel(Samples& samples) {
@@ -86,8 +86,8 @@ void swap_force_and_first_accel(Samples& samples) {
     std::swap(samples.force_N[row], samples.accel_mps2[row].front());
 }
 
-void add_hum(Samples& samples, double mains_Hz, double part) {
-  const double amplitude = part * largest_accel(samples);
+void add_hum(Samples& samples, double mains_Hz, double fraction) {
+  const double amplitude = fraction * largest_accel(samples);
   for (std::size_t row = 0; row < samples.accel_mps2.size(); ++row) {
     const double phase = 2.4 * static_cast<double>(row);  // about the golden angle: no two rows have equal phases
     for (auto& channel : samples.accel_mps2[row]) {

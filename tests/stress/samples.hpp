@@ -24,8 +24,8 @@ void cut(Samples& samples, std::size_t count);
 void round_to_float(Samples& samples);
 /// Exchanges the cables of the hammer and the first accelerometer.
 void swap_force_and_first_accel(Samples& samples);
-/// Adds mains hum and its odd harmonics up to the fifth, each `part` of the largest acceleration. Each row has its own
-/// phase.
-void add_hum(Samples& samples, double mains_Hz, double part);
+/// Adds mains hum and its odd harmonics up to the fifth, each `fraction` of the largest acceleration. Each row has its
+/// own phase.
+void add_hum(Samples& samples, double mains_Hz, double fraction);
 
 }  // namespace percuss::stress

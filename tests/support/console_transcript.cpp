@@ -1,6 +1,5 @@
 #include "support/console_transcript.hpp"
 
-#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <sstream>

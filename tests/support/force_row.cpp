@@ -1,6 +1,5 @@
 #include "support/force_row.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>

@@ -1,7 +1,5 @@
 #include "support/hdf5_builder.hpp"
 
-#include <functional>
-#include <numeric>
 #include <stdexcept>
 
 namespace percuss::test {

@@ -45,7 +45,7 @@ void expect_modes_near(const std::vector<identify::Mode>& found, const std::vect
 /// A bat test without noise: these modes, rows of this many seconds, accelerometers at 0° and 90°.
 synth::SynthSpec bat_spec(std::vector<synth::SynthMode> modes, double duration_s);
 
-/// A bat test with rws of 0.35 s: the mode at 120 Hz still has more than a third of its amplitude at the end.
+/// A bat test with rows of 0.35 s: the mode at 120 Hz still has more than a third of its amplitude at the end.
 synth::SynthSpec truncated_bat_spec();
 
 /// A beam with one bending mode whose node lies at 7.5 in, struck once at each of `points` positions from `first_in`

@@ -18,9 +18,9 @@ void append(std::string& bytes, std::uint32_t value, int count) {
 
 }  // namespace
 
-const std::vector<PingMode> kPing{{.freq_Hz = 1732.5, .damping = 0.002, .amplitude = 0.3},
-                                  {.freq_Hz = 2141, .damping = 0.003, .amplitude = 0.2},
-                                  {.freq_Hz = 4310, .damping = 0.004, .amplitude = 0.1}};
+const std::vector<PingMode> kPing{{.freq_Hz = 1732.5, .damping_ratio = 0.002, .amplitude = 0.3},
+                                  {.freq_Hz = 2141, .damping_ratio = 0.003, .amplitude = 0.2},
+                                  {.freq_Hz = 4310, .damping_ratio = 0.004, .amplitude = 0.1}};
 
 std::vector<double> ping(double noise) {
   std::mt19937 random(2);
@@ -31,7 +31,8 @@ std::vector<double> ping(double noise) {
     for (const PingMode& mode : kPing) {
       const double omega = kTwoPi * mode.freq_Hz;
       if (t > 0)
-        x[n] += mode.amplitude * std::min(1.0, t / 1e-3) * std::exp(-mode.damping * omega * t) * std::sin(omega * t);
+        x[n] +=
+            mode.amplitude * std::min(1.0, t / 1e-3) * std::exp(-mode.damping_ratio * omega * t) * std::sin(omega * t);
     }
     x[n] += noise * gauss(random);
   }

@@ -5,9 +5,9 @@
 // What a microphone records after a blow, as a WAV file.
 namespace percuss::test {
 
-/// A decaying sine. `damping` is the damping ratio; full scale is an amplitude of 1.
+/// A decaying sine; full scale is an amplitude of 1.
 struct PingMode {
-  double freq_Hz, damping, amplitude;
+  double freq_Hz, damping_ratio, amplitude;
 };
 extern const std::vector<PingMode> kPing;
 inline constexpr double kBlow_s = 0.21;  // time of the blow

@@ -1,6 +1,5 @@
 #include "support/random_bat.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -13,9 +12,9 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kDegree = pi / 180;
-constexpr double kPlaced_rad = 2 * kDegree;  // standard deviation of the sensor angles
-constexpr double kGain = 0.03;               // standard deviation of the gains, relative
-constexpr double kPlanes_rad = 4 * kDegree;  // standard deviation of a mode's plane from the bat's
+constexpr double kSensorAngleStd_rad = 2 * kDegree;
+constexpr double kGainStd = 0.03;                   // relative
+constexpr double kPlaneAngleStd_rad = 4 * kDegree;  // of a mode's plane from the bat's
 constexpr double kHighest_Hz = 3000;
 constexpr std::uint64_t kPurpose = 0xBA7;
 
@@ -35,15 +34,15 @@ double plane_of_bat(synth::RandomStream& random) {
 
 void add_bending(synth::SynthSpec& spec, synth::RandomStream& random) {
   const double plane = plane_of_bat(random), kind = random.uniform();
-  const std::array<double, 3> ratio{random.uniform(110, 260), random.uniform(2.4, 3.6), random.uniform(1.75, 2.1)};
-  double f = 1;
+  double f = random.uniform(110, 260);
+  const std::array<double, 2> ratio{random.uniform(2.4, 3.6), random.uniform(1.75, 2.1)};  // to the mode below
   for (int order = 1; order <= 3; ++order) {
-    f *= ratio[static_cast<std::size_t>(order - 1)];
+    if (order > 1) f *= ratio[static_cast<std::size_t>(order - 2)];
     if (f > kHighest_Hz) return;
     synth::SynthMode mode{.freq_Hz = f,
                           .damping_ratio = random.uniform(0.003, 0.012),
                           .order = order,
-                          .angle_rad = normal(random, plane, kPlanes_rad),
+                          .angle_rad = normal(random, plane, kPlaneAngleStd_rad),
                           .amplitude_per_sqrt_kg = random.uniform(1.2, 2.4)};
     if (kind < 0.2) mode.angle_rad = spec.points[0].angle_rad;  // axisymmetric: it bends in the plane of the hit
     spec.modes.push_back(mode);
@@ -86,8 +85,8 @@ synth::SynthSpec random_bat(std::uint64_t seed) {
   const double position_m = random.uniform(0.5, 7) * kInch_m;
   for (synth::SynthSensor& sensor : spec.sensors) {
     sensor.position_m = position_m;
-    sensor.angle_rad = normal(random, sensor.angle_rad, kPlaced_rad);
-    sensor.gain = normal(random, 1, kGain);
+    sensor.angle_rad = normal(random, sensor.angle_rad, kSensorAngleStd_rad);
+    sensor.gain = normal(random, 1, kGainStd);
   }
   spec.noise = {.accel = std::exp(random.uniform(std::log(0.001), std::log(0.02)))};
   add_bending(spec, random);

@@ -20,7 +20,7 @@ std::string rejection_of(const std::vector<std::string>& arguments, const std::v
   const ScratchFolder folder;
   std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
   auto words = arguments;
-  for (const auto& kind : outputs) words.insert(words.end(), {"-o", folder.file("out" + kind)});
+  for (const auto& extension : outputs) words.insert(words.end(), {"-o", folder.file("out" + extension)});
   const auto outcome = run_percuss(words, options);
   EXPECT_FALSE(outcome.timed_out);
   EXPECT_EQ(outcome.signal, 0);

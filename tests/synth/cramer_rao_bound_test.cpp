@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 namespace percuss::synth::cramer_rao_bound_test {
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,14 +10,14 @@
 
 namespace percuss::acquire::further_force_test {
 
-constexpr double kFs_Hz = 25600, kNoise = 0.05, kPeak_N = 300;
+constexpr double kFs_Hz = 25600, kNoise_N = 0.05, kPeak_N = 300;
 constexpr std::size_t kSamples = 12000;
 constexpr double kOnset = 500.4, kWidth = 8;
 
 std::vector<double> pulse_row() {
   std::vector<double> x(kSamples);
   test::add_filtered_haversine(x, kOnset, kWidth, kPeak_N);
-  test::add_noise(x, kNoise, 7);
+  test::add_noise(x, kNoise_N, 7);
   return x;
 }
 
@@ -127,7 +126,7 @@ TEST(FurtherForce, LetsTheHitContinueAfterAHump) {
   std::vector<double> row(120000);
   for (const double onset : {5000.0, 60000.0}) test::add_filtered_haversine(row, onset, kWidth, kPeak_N);
   test::add_haversine(row, 20000, 4000, 0.02 * kPeak_N);
-  test::add_noise(row, kNoise, 3);
+  test::add_noise(row, kNoise_N, 3);
   const std::vector<Hit> hits = find_hits(test::force_record(kFs_Hz, {row}));
   ASSERT_EQ(hits.size(), 2U);
   EXPECT_GT(hits[0].samples, 50000U);

@@ -81,9 +81,9 @@ TEST(GradeResponse, FindsStepsWithoutNoise) {
 TEST(GradeResponse, IsNotTruncatedWhenOnlyNoiseRemains) {
   for (const double noise : {0.01, 0.3, 3.0}) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-      auto decayed = ringing(600);
-      test::add_noise(decayed, noise, seed);
-      EXPECT_FALSE(grade(decayed).truncated) << noise;
+      auto noisy = ringing(600);
+      test::add_noise(noisy, noise, seed);
+      EXPECT_FALSE(grade(noisy).truncated) << noise;
     }
     auto loud = ringing(20000);
     test::add_noise(loud, noise, 1);
@@ -94,9 +94,9 @@ TEST(GradeResponse, IsNotTruncatedWhenOnlyNoiseRemains) {
 TEST(GradeResponse, DistinguishesRingingFromNoiseWithoutAPretrigger) {
   const Hit early = hit_at(2);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    auto decayed = ringing(600, 50, 2);
-    test::add_noise(decayed, 1.0, seed);
-    EXPECT_FALSE(grade_response(early, decayed, kFs_Hz).truncated);
+    auto noisy = ringing(600, 50, 2);
+    test::add_noise(noisy, 1.0, seed);
+    EXPECT_FALSE(grade_response(early, noisy, kFs_Hz).truncated);
   }
   EXPECT_TRUE(grade_response(early, ringing(3000, 50, 2), kFs_Hz).truncated);
 }

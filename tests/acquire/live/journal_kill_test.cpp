@@ -84,7 +84,7 @@ TEST(JournalKill, LosesLessThanTwoBlocks) {
   const std::string path = folder.file("t.journal");
   void* const memory = ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   ASSERT_NE(memory, MAP_FAILED);
-  std::uint64_t random = 1, events = 0, ranges = 0, begun = 0, torn = 0, largest_loss = 0, bytes = 0;
+  std::uint64_t random = 1, events = 0, ranges = 0, begun = 0, torn = 0, largest_loss = 0;
   for (int i = 0; i < kills; ++i) {
     auto* const progress = new (memory) Progress;
     // A journal of many sessions takes long to read again.
@@ -97,7 +97,7 @@ TEST(JournalKill, LosesLessThanTwoBlocks) {
     random = random * 6364136223846793005U + 1442695040888963407U;
     run_and_kill(path, !anew, std::chrono::microseconds((random >> 33U) % 400000), *progress);
     const JournalReader journal(path);
-    bytes = journal.whole_bytes();
+    const std::uint64_t bytes = journal.whole_bytes();
     torn += journal.torn_bytes() > 0 ? 1U : 0U;
     EXPECT_GE(bytes, progress->written_bytes);
     EXPECT_GE(journal.events().size(), events + progress->events) << "an event that was acknowledged is lost";

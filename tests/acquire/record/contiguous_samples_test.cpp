@@ -5,9 +5,9 @@
 
 #include <filesystem>
 #include <limits>
-#include <numeric>
 
 #include "acquire/open_measurement.hpp"
+#include "core/units.hpp"
 #include "support/hdf5_builder.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
@@ -45,13 +45,12 @@ void expect_ramps(const Record& record, double g) {
 }
 
 TEST_F(ContiguousSamples, AreReadAsTheLibraryReadsThem) {
-  constexpr double kGravity_mps2 = 9.80665;
   for (const hid_t type : {H5T_IEEE_F64LE, H5T_IEEE_F32LE, H5T_IEEE_F64BE, H5T_STD_I16LE}) {
     const bool contiguous = H5Tequal(type, H5T_IEEE_F64LE) > 0 || H5Tequal(type, H5T_IEEE_F32LE) > 0;
     for (const bool sandboxed : {false, true}) {
       const Record record = open_record(file({.type = type}), {.sandboxed = sandboxed});
       EXPECT_EQ(record.contiguous.size(), contiguous ? 1 + kChannels : 0U);
-      expect_ramps(record, kGravity_mps2);
+      expect_ramps(record, kStandardGravity_mps2);
     }
   }
 }

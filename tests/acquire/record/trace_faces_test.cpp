@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -60,15 +59,16 @@ class TraceFaceFiles : public testing::Test {
 };
 
 TEST_F(TraceFaceFiles, AreKeptByEveryFormatThatHoldsThem) {
-  for (const char* kind : {".h5", ".mat", ".uff"}) {
-    const std::string path = folder_.file(std::string("r") + kind), again = folder_.file(std::string("s") + kind);
+  for (const char* extension : {".h5", ".mat", ".uff"}) {
+    const std::string path = folder_.file(std::string("r") + extension),
+                      again = folder_.file(std::string("s") + extension);
     write_record(path, record_, false);
     const Record read = open_record(path);
-    EXPECT_EQ(read.trace_faces, record_.trace_faces) << kind;
-    EXPECT_EQ(open_record(path, {.sandboxed = true}).trace_faces, record_.trace_faces) << kind;
+    EXPECT_EQ(read.trace_faces, record_.trace_faces) << extension;
+    EXPECT_EQ(open_record(path, {.sandboxed = true}).trace_faces, record_.trace_faces) << extension;
     write_record(again, read, false);
-    EXPECT_EQ(open_record(again).trace_faces, record_.trace_faces) << kind;
-    EXPECT_THAT(losses_of(path, record_), Not(Contains(HasSubstr("faces")))) << kind;
+    EXPECT_EQ(open_record(again).trace_faces, record_.trace_faces) << extension;
+    EXPECT_THAT(losses_of(path, record_), Not(Contains(HasSubstr("faces")))) << extension;
   }
   for (const char* path : {"r.csv", "r.wav"})
     EXPECT_THAT(losses_of(path, record_), Contains("the faces between points")) << path;

@@ -79,8 +79,8 @@ TEST(ForkServer, OpensTheSameRecordsAsWithoutAServer) {
   FrfReadOptions options;
   options.read.sandboxed = true;
   const auto fork_server = measurement_fork_server(options);
-  for (const char* kind : {".h5", ".mat", ".wav", ".csv"}) {
-    const std::string path = folder.file(std::string("t") + kind);
+  for (const char* extension : {".h5", ".mat", ".wav", ".csv"}) {
+    const std::string path = folder.file(std::string("t") + extension);
     test::write_small_test(path);
     const auto opened = open_measurement_forked(fork_server, path, options), alone = open_measurement(path, options);
     const auto &one = std::get<Record>(opened), &other = std::get<Record>(alone);
@@ -89,7 +89,7 @@ TEST(ForkServer, OpensTheSameRecordsAsWithoutAServer) {
     std::vector<double> a(one.rows[0].samples), b(a.size());
     one.read_force_N(0, 0, a);
     other.read_force_N(0, 0, b);
-    EXPECT_EQ(a, b) << kind;
+    EXPECT_EQ(a, b) << extension;
   }
 }
 

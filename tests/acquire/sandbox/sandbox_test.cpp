@@ -38,7 +38,6 @@ using test::accel_mps2;
 using test::force_N;
 using test::input_error_of;
 using testing::AllOf;
-using testing::AnyOf;
 using testing::HasSubstr;
 
 Record small_record() { return record_in_memory(1000, {{1, 2, 3}, {4, 5, 6}}, {{{7, 8, 9}}, {{10, 11, 12}}}); }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "support/csv_columns.hpp"
@@ -173,7 +174,7 @@ TEST_F(ModelBatCommand, ReadsLayersFromNamedColumns) {
                     "84,66,3,7e10,1.3e10,2700,63,1e9,3e8,300\n");
   const auto layered = document_of(run({"--modes", "2", "--json"}));
   EXPECT_EQ(layered["profile"]["layers"], 2);
-  constexpr double kQuarterPi = 0.78539816339744831;
+  constexpr double kQuarterPi = std::numbers::pi / 4;
   const double shell_kg = 2700 * kQuarterPi * (0.066 * 0.066 - 0.060 * 0.060) * 0.84;
   const double core_kg = 300 * kQuarterPi * 0.060 * 0.060 * 0.84;
   EXPECT_NEAR(layered["mass_kg"].get<double>(), shell_kg + core_kg, 1e-12);

@@ -85,7 +85,7 @@ TEST(RecordCommand, StopsWhenTheGoalIsMet) {
 TEST(RecordCommand, NamesAGoalForAModeThatTheTestLacks) {
   const Bench bench;
   const std::string record = "percuss record -o t.h5 --device sim:aluminium-bat,hits=99 --hits 99 --until 'hoop 7<1Hz'";
-  EXPECT_EQ(bench.meanwhile(record, "grep -q 'hoop 7' out", "kill $!"), 6);
+  EXPECT_EQ(bench.run_and_act(record, "grep -q 'hoop 7' out", "kill $!"), 6);
   EXPECT_THAT(bench.bytes("out"),
               HasSubstr("! the goal hoop 7 < 1 Hz names none of the modes found so far: bending 1, "));
 }

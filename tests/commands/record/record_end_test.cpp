@@ -108,7 +108,7 @@ TEST(RecordEnd, EndsEarlyBeforeTheFirstBlow) {
   EXPECT_EQ(bench.record("sim:aluminium-bat,unplug=5,silent=3").code, 6);  // rejected blows alone
   EXPECT_TRUE(bench.has("t.h5.journal"));
   const std::string silent = "percuss record -o u.h5 --device sim:aluminium-bat,first=99";
-  EXPECT_EQ(bench.meanwhile(silent, "grep -q 'hammer on channel' out", "kill $!"), 6);
+  EXPECT_EQ(bench.run_and_act(silent, "grep -q 'hammer on channel' out", "kill $!"), 6);
 }
 
 // The disk was full between two blows.

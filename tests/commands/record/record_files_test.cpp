@@ -20,12 +20,12 @@ TEST(RecordFiles, NamesAFailedReportAndPrintsTheDocument) {
   const Bench bench;
   const std::string record =
       "percuss record -o t.h5 --device sim:aluminium-bat,speed=4 --band 60:3200 --json --report r.html";
-  EXPECT_EQ(bench.meanwhile(record, Bench::kHasBegun, "echo mine >r.html"), 3);
+  EXPECT_EQ(bench.run_and_act(record, Bench::kHasBegun, "echo mine >r.html"), 3);
   EXPECT_EQ(bench.bytes("r.html"), "mine\n");
   EXPECT_THAT(bench.bytes("err"), HasSubstr("file exists (r.html)"));
   EXPECT_THAT(bench.bytes("err"), HasSubstr("to write it: percuss analyze t.h5 -o r.html --band 60:3200"));
   EXPECT_EQ(bench.bytes("out"), bench.run({"analyze", "t.h5", "--band", "60:3200", "--json"}).out);
-  EXPECT_EQ(bench.meanwhile(record + " --force", Bench::kHasBegun, "echo mine >r.html"), 0);
+  EXPECT_EQ(bench.run_and_act(record + " --force", Bench::kHasBegun, "echo mine >r.html"), 0);
   EXPECT_NE(bench.bytes("r.html"), "mine\n");
   const auto none = bench.record("sim:aluminium-bat,first=2,end=8,silent=2", {"--force", "--report", "r.html"});
   EXPECT_EQ(none.code, 4);
@@ -76,7 +76,7 @@ TEST(RecordFiles, SaysHowToSaveBlowsThatCannotBeWritten) {
   const std::string record = "percuss record -o t.h5 --device sim:aluminium-bat,speed=4";
   for (const char* in_the_way : {"mkdir t.h5", "echo notes >t.h5"}) {
     const Bench bench;
-    EXPECT_EQ(bench.meanwhile(record, Bench::kHasBegun, in_the_way), 3);
+    EXPECT_EQ(bench.run_and_act(record, Bench::kHasBegun, in_the_way), 3);
     EXPECT_THAT(bench.bytes("err"), HasSubstr("the blows are safe in the journal: move this elsewhere, then type "
                                               "percuss record --resume t.h5"));
     fs::rename(bench.folder.file("t.h5"), bench.folder.file("elsewhere"));
@@ -103,10 +103,11 @@ TEST(RecordFiles, LoseNothingWhileTheDiskIsFull) {
   const std::string record = "percuss record -o t.h5 --device sim:aluminium-bat,speed=4,end=12";
   const Bench whole, bench;
   ASSERT_EQ(whole.shell(record + " >out 2>err"), 0);
-  EXPECT_EQ(bench.meanwhile("(" + record + ")", "grep -q 'Blow 1' out",
-                            "prlimit --pid $! --fsize=300000:; for i in $(seq 500); do grep -q 'Blow 4' out && break; "
-                            "sleep 0.02; done; prlimit --pid $! --fsize=unlimited:"),
-            0)
+  EXPECT_EQ(
+      bench.run_and_act("(" + record + ")", "grep -q 'Blow 1' out",
+                        "prlimit --pid $! --fsize=300000:; for i in $(seq 500); do grep -q 'Blow 4' out && break; "
+                        "sleep 0.02; done; prlimit --pid $! --fsize=unlimited:"),
+      0)
       << bench.bytes("err");
   EXPECT_THAT(bench.bytes("out"), HasSubstr("the journal cannot be written"));
   EXPECT_TRUE(bench.bytes("t.h5") == whole.bytes("t.h5"));
@@ -133,7 +134,7 @@ TEST(RecordFiles, TakesAnySpellingOfTheFileToResume) {
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {"t.h5.journal"}, {"./t.h5", "-o", "t.h5"}, {"t.h5", "-o", "./t.h5"}, {"t.h5.journal", "-o", "t.h5"}}) {
     const Bench bench;
-    bench.meanwhile("percuss record -o t.h5 --device sim:aluminium-bat", "grep -q 'Blow 1' out", "kill -9 $!");
+    bench.run_and_act("percuss record -o t.h5 --device sim:aluminium-bat", "grep -q 'Blow 1' out", "kill -9 $!");
     ASSERT_TRUE(bench.has("t.h5.journal"));
     std::vector<std::string> command{"record", "--resume"};
     command.insert(command.end(), words.begin(), words.end());

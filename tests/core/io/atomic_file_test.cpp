@@ -50,7 +50,7 @@ class AtomicFileTest : public testing::TestWithParam<Temporary> {
 };
 
 INSTANTIATE_TEST_SUITE_P(, AtomicFileTest, testing::Values(Temporary::unnamed_if_possible, Temporary::named),
-                         [](const auto& one) { return one.param == Temporary::named ? "Named" : "Nameless"; });
+                         [](const auto& one) { return one.param == Temporary::named ? "Named" : "Unnamed"; });
 
 TEST_P(AtomicFileTest, AppearsWholeAtTheEnd) {
   {
@@ -205,7 +205,7 @@ class OutputGroupTest : public AtomicFileTest {
 };
 
 INSTANTIATE_TEST_SUITE_P(, OutputGroupTest, testing::Values(Temporary::unnamed_if_possible, Temporary::named),
-                         [](const auto& one) { return one.param == Temporary::named ? "Named" : "Nameless"; });
+                         [](const auto& one) { return one.param == Temporary::named ? "Named" : "Unnamed"; });
 
 TEST_P(OutputGroupTest, AppearsAsAWhole) {
   test::write_bytes(folder_.file("b"), "old");

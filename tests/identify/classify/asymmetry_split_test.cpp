@@ -87,7 +87,7 @@ Pair described(double between_deg, int order, double std_rad = 0.01) {
   return pair;
 }
 
-TEST(SplitMode, IsFromAsymmetryWhereThePlanesDiffer) {
+TEST(SplitModePlanes, IsFromAsymmetryWhereThePlanesDiffer) {
   EXPECT_EQ(described(45, 2).first.planes->cause, SplitCause::asymmetry);
   EXPECT_EQ(described(90, 1).first.planes->cause, SplitCause::asymmetry);
   EXPECT_EQ(described(0, 2).first.planes->cause, SplitCause::coupled);
@@ -97,7 +97,7 @@ TEST(SplitMode, IsFromAsymmetryWhereThePlanesDiffer) {
   EXPECT_NEAR(described(45, 2).first.planes->between_std_rad, 0.01 * std::sqrt(2.0), kRounding);
 }
 
-TEST(SplitMode, QuotesTheFirstUnlessHidden) {
+TEST(SplitModePlanes, QuotesTheFirstUnlessHidden) {
   const SensorPair sensors = sensors_at(0, 90);
   for (const double scale : {1.0, 0.2, 0.02}) {
     Pair pair;
@@ -110,7 +110,7 @@ TEST(SplitMode, QuotesTheFirstUnlessHidden) {
   }
 }
 
-TEST(SplitMode, IsPartOfTheClassification) {
+TEST(SplitModePlanes, IsPartOfTheClassification) {
   const SensorPair sensors = sensors_at(0, 90);
   std::vector<Mode> modes{mode_with_plane(1, 20, sensors), mode_with_plane(1, 110, sensors)};
   modes[0].pole.freq_Hz = 169;

@@ -103,13 +103,13 @@ TEST(RatioLikelihood, IsTheDensityOfTheRatiosOverAllAngles) {
   // A histogram over angles. Without errors of gain, noise and placement, only the pattern's error of 2° remains.
   constexpr double kSecond = 1.3, kPatternStd = 0.035, kTolerance = 1e-3;  // 7200 angles, and the truncated series
   const RatioLikelihood likelihood(0.2, kSecond, {.angle_rad = 0, .gain = 0});
-  constexpr int kTurns = 7200;
+  constexpr int kAngles = 7200;
   for (const double chi : {-1.2, -0.5, 0.1, 0.9, 1.5}) {
     double sum = 0;
-    for (int t = 0; t < kTurns; ++t) {
-      const double turn = pi * t / kTurns;
-      const double ratio = std::atan2(std::cos(2 * (kSecond - turn)), std::cos(2 * (0.2 - turn)));
-      sum += wrapped_density(chi - ratio, kPatternStd) / kTurns;
+    for (int t = 0; t < kAngles; ++t) {
+      const double angle = pi * t / kAngles;
+      const double ratio = std::atan2(std::cos(2 * (kSecond - angle)), std::cos(2 * (0.2 - angle)));
+      sum += wrapped_density(chi - ratio, kPatternStd) / kAngles;
     }
     EXPECT_NEAR(likelihood.hoop({.chi_rad = chi}), sum, kTolerance * (1 + sum)) << chi;
   }

@@ -29,9 +29,9 @@ std::vector<TypePosterior> posteriors(const std::vector<TypeEvidence>& modes) {
 TEST(TypePosterior, IsAProbability) {
   for (const auto& modes : {std::vector<TypeEvidence>{mode_at(169, 25), mode_at(1900, -45), {.freq_Hz = 2500}},
                             paired(mode_at(169, 25), mode_at(171, 115))}) {
-    for (const TypePosterior& b : posteriors(modes)) {
-      EXPECT_NEAR(b[0] + b[1] + b[2], 1, 1e-12);
-      EXPECT_GE(*std::min_element(b.begin(), b.end()), 0);
+    for (const TypePosterior& posterior : posteriors(modes)) {
+      EXPECT_NEAR(posterior[0] + posterior[1] + posterior[2], 1, 1e-12);
+      EXPECT_GE(*std::min_element(posterior.begin(), posterior.end()), 0);
     }
   }
   EXPECT_TRUE(posteriors({}).empty());
@@ -47,7 +47,7 @@ TEST(TypePosterior, StaysUncertainWhereTheLowestModeHasTheHoopRatio) {
   const auto all = posteriors({mode_at(169, -45), mode_at(575, -45), mode_at(1150, -45), mode_at(1900, -45)});
   const auto one = posteriors({mode_at(169, 25), mode_at(575, 25), mode_at(1150, 25), mode_at(1900, -45)});
   EXPECT_GT(all[0][0], 0.5);
-  for (const TypePosterior& b : all) EXPECT_GT(b[0], 0.05);
+  for (const TypePosterior& posterior : all) EXPECT_GT(posterior[0], 0.05);
   EXPECT_GT(one[3][1], 0.95);
   EXPECT_LT(one[3][0], 0.5 * all[3][0]);
 }
@@ -76,7 +76,8 @@ TEST(TypePosterior, IsFiniteForManyModes) {
   std::vector<TypeEvidence> modes(600);
   for (std::size_t i = 0; i < modes.size(); ++i) modes[i] = mode_at(169 + 20 * static_cast<double>(i), 25);
   const auto found = posteriors(modes);
-  EXPECT_TRUE(std::all_of(found.begin(), found.end(), [](const TypePosterior& b) { return b[0] > 0.95; }));
+  EXPECT_TRUE(
+      std::all_of(found.begin(), found.end(), [](const TypePosterior& posterior) { return posterior[0] > 0.95; }));
 }
 
 }  // namespace percuss::identify::type_posterior_test

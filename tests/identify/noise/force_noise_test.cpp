@@ -37,7 +37,8 @@ TEST(GainErrors, HaveTheCovarianceOfTheNoiseInTheGate) {
   // The pseudo-covariance E εεᵀ: real noise is not circular at low frequencies.
   Eigen::Matrix4cd pseudo = Eigen::Matrix4cd::Zero();
   for (int trial = 0; trial < kTrials; ++trial) {
-    frf::ForceBlock noise{.offset = block.offset, .force_N = std::vector<double>(90), .ungated_N = {}};
+    frf::ForceBlock noise{
+        .offset = block.offset, .force_N = std::vector<double>(block.force_N.size()), .ungated_N = {}};
     synth::RandomStream({7, static_cast<std::uint64_t>(trial)}).add_normal(kNoise_N, noise.force_N);
     const auto spectrum = frf::force_spectrum(noise, set.lines);
     Eigen::Vector4cd error;

@@ -58,7 +58,7 @@ TEST(ScatteredModes, AreTheMeanOverThePointsWithItsStandardDeviation) {
     const auto modes = scattered_modes(all, all.groups().front());
     ASSERT_EQ(modes.size(), 1U) << seed;
     EXPECT_NEAR(modes[0].pole.freq_Hz, 100, 3 * modes[0].freq_std_Hz);
-    EXPECT_NEAR(modes[0].pole.damping_ratio, 1e-3, 1e-5) << "not broadened by the scatter, as a common pole is";
+    EXPECT_NEAR(modes[0].pole.damping_ratio, 1e-3, 1e-5) << "a common pole would be broadened by the scatter";
     // The spread of nine frequencies 0.02 Hz apart is 0.055 Hz; the method of moments with unequal weights is accurate
     // to a third.
     EXPECT_NEAR(modes[0].freq_scatter_Hz, 0.055, 0.02);

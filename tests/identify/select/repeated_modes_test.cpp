@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "support/modal_frfs.hpp"
 
@@ -20,7 +21,7 @@ FrfDataset points() {
 }
 
 double shape(std::size_t point, double half_waves) {
-  return std::cos(half_waves * 3.14159265 * (static_cast<double>(point) + 0.3) / static_cast<double>(kPoints));
+  return std::cos(half_waves * std::numbers::pi * (static_cast<double>(point) + 0.3) / static_cast<double>(kPoints));
 }
 
 TEST(PolesInBothHalves, HoldACloseDoublet) {

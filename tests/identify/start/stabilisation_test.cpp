@@ -9,10 +9,10 @@
 
 namespace percuss::identify::stabilisation_test {
 
-const std::vector<identify::Pole> kModes{{169.03, 0.01}, {575.4, 0.006}, {1190.06, 0.004}, {1195.8, 0.004}};
+const std::vector<Pole> kModes{{169.03, 0.01}, {575.4, 0.006}, {1190.06, 0.004}, {1195.8, 0.004}};
 
-identify::FrfDataset set_of(double noise) {
-  identify::FrfDataset set = test::empty_set(4096, 8192, 60, 1500, 2);
+FrfDataset set_of(double noise) {
+  FrfDataset set = test::empty_set(4096, 8192, 60, 1500, 2);
   for (std::size_t m = 0; m < kModes.size(); ++m) {
     test::add_mode(set, 0, kModes[m], 0.8);
     test::add_mode(set, 1, kModes[m], m % 2 == 0 ? 0.5 : -0.3);
@@ -22,20 +22,20 @@ identify::FrfDataset set_of(double noise) {
 }
 
 TEST(Stabilise, MarksAPoleStableOnlyAfterItsFirstOrder) {
-  const identify::Stabilisation diagram = identify::stabilise(set_of(0));
+  const Stabilisation diagram = stabilise(set_of(0));
   EXPECT_NEAR(diagram.low_Hz, 60, 0.5);  // within one spectral line
   EXPECT_NEAR(diagram.high_Hz, 1500, 0.5);
-  for (const identify::Pole& mode : kModes) {
+  for (const Pole& mode : kModes) {
     bool seen = false, at_last = false;
-    for (const identify::StabilisationPole& pole : diagram.poles) {
+    for (const StabilisationPole& pole : diagram.poles) {
       if (std::abs(pole.pole.freq_Hz - mode.freq_Hz) > 0.1 * mode.half_power_Hz()) continue;
       if (!seen) {
-        EXPECT_NE(pole.stability, identify::Stability::stable) << mode.freq_Hz;
+        EXPECT_NE(pole.stability, Stability::stable) << mode.freq_Hz;
       }
       seen = true;
       if (pole.order == 40) {
         at_last = true;
-        EXPECT_EQ(pole.stability, identify::Stability::stable) << mode.freq_Hz;
+        EXPECT_EQ(pole.stability, Stability::stable) << mode.freq_Hz;
       }
     }
     EXPECT_TRUE(seen) << mode.freq_Hz;
@@ -44,19 +44,19 @@ TEST(Stabilise, MarksAPoleStableOnlyAfterItsFirstOrder) {
 }
 
 TEST(Stabilise, SortsPolesByOrderThenFrequency) {
-  const auto poles = identify::stabilise(set_of(0.05)).poles;
+  const auto poles = stabilise(set_of(0.05)).poles;
   EXPECT_TRUE(std::is_sorted(poles.begin(), poles.end(), [](const auto& a, const auto& b) {
     return a.order != b.order ? a.order < b.order : a.pole.freq_Hz < b.pole.freq_Hz;
   }));
 }
 
 TEST(Stabilise, HasNamesForItsStates) {
-  EXPECT_STREQ(name_of(identify::Stability::fresh), "new");
-  EXPECT_STREQ(name_of(identify::Stability::frequency), "frequency");
-  EXPECT_STREQ(name_of(identify::Stability::damping), "damping");
-  EXPECT_STREQ(name_of(identify::Stability::stable), "stable");
+  EXPECT_STREQ(name_of(Stability::fresh), "new");
+  EXPECT_STREQ(name_of(Stability::frequency), "frequency");
+  EXPECT_STREQ(name_of(Stability::damping), "damping");
+  EXPECT_STREQ(name_of(Stability::stable), "stable");
 }
 
-TEST(Stabilise, OfNoLinesIsEmpty) { EXPECT_TRUE(identify::stabilise({}).poles.empty()); }
+TEST(Stabilise, OfNoLinesIsEmpty) { EXPECT_TRUE(stabilise({}).poles.empty()); }
 
 }  // namespace percuss::identify::stabilisation_test

@@ -79,16 +79,21 @@ Statistics statistics_of(const Signal& signal, double contact_s, double power, d
   return out;
 }
 
-// From a half-sine to a haversine. The power is not known.
+// The power of the pulse is not known: an error of it moves the onset by up to 0.67 of the stated standard deviations.
+// The mean of 60 trials has a standard deviation of 0.13 of them, the RMS one of 0.1.
+constexpr double kMaxMean = 0.8, kMaxRms = 1.4;
+constexpr double kQuietStd = 0.4;  // samples, without much noise; measured 0.30
+
+// From a half-sine to a haversine.
 TEST(ImpactOnset, LiesBetweenTheSamples) {
   for (const double contact_s : {0.0007, 0.002}) {
     for (const double noise : {0.05, 2.0, 10.0}) {
       for (const double power : {1.0, 1.25, 1.5, 1.75, 2.0}) {
         SCOPED_TRACE(testing::Message() << contact_s << " s, noise " << noise << ", power " << power);
         const Statistics found = statistics_of(pulse, contact_s, power, noise);
-        EXPECT_LE(std::abs(found.mean), 0.8);
-        EXPECT_LE(found.root_mean_square, 1.4);
-        EXPECT_LE(found.stated_samples, noise < 1 ? 0.4 : 2);
+        EXPECT_LE(std::abs(found.mean), kMaxMean);
+        EXPECT_LE(found.root_mean_square, kMaxRms);
+        EXPECT_LE(found.stated_samples, noise < 1 ? kQuietStd : 2);  // 1.7 with most noise
       }
     }
   }
@@ -99,9 +104,9 @@ TEST(ImpactOnset, FollowsFromTheAccelerationOfSeveralModes) {
     for (const double power : {1.0, 2.0}) {
       SCOPED_TRACE(testing::Message() << "noise " << noise << ", power " << power);
       const Statistics found = statistics_of(acceleration, 0.002, power, noise);
-      EXPECT_LE(std::abs(found.mean), 0.8);
-      EXPECT_LE(found.root_mean_square, 1.4);
-      EXPECT_LE(found.stated_samples, noise < 1 ? 0.4 : 1);
+      EXPECT_LE(std::abs(found.mean), kMaxMean);
+      EXPECT_LE(found.root_mean_square, kMaxRms);
+      EXPECT_LE(found.stated_samples, noise < 1 ? kQuietStd : 1);  // 0.87 with noise
     }
   }
 }

@@ -180,7 +180,7 @@ TEST(BatMetrics, NamesExchangedSpeedsOnce) {
   r.in_mps = 14;
   r.out_mps = 60;
   const auto warnings = metrics_warnings(r, bat_metrics(r));
-  EXPECT_EQ(implausible(r).find("a rebound speed"), std::string::npos) << "the same once more";
+  EXPECT_EQ(implausible(r).find("a rebound speed"), std::string::npos) << "the rebound speed is named twice";
   EXPECT_EQ(warnings.front().code, "rebound_speed");
   EXPECT_EQ(warnings.front().severity, MetricsSeverity::reject);
   EXPECT_NE(warnings.front().message.find("134.2 mph"), std::string::npos) << warnings.front().message;

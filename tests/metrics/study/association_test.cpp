@@ -115,7 +115,7 @@ TEST(Association, HasAtMostTheStatedFalsePositivesInSmallClasses) {
     EXPECT_LE(coverage_of(0, bats, classes, 2000).false_positives, kAllowed) << bats << " × " << classes;
 }
 
-TEST(Association, HasHonestIntervalsOfSmallClasses) {
+TEST(Association, HasIntervalsThatCoverSmallClasses) {
   constexpr double kAllowed = 0.05 + 0.022;  // three standard deviations of 0.05 in 1000 runs
   for (const auto& [bats, classes] : std::vector<std::pair<std::size_t, std::size_t>>{
            {4, 1}, {5, 1}, {6, 1}, {8, 1}, {12, 1}, {4, 2}, {3, 3}, {4, 3}}) {
@@ -177,7 +177,7 @@ TEST(TrendLine, HasAnIntervalOfTheStatedCoverage) {
   EXPECT_NEAR(covered / static_cast<double>(runs), 0.95, kAllowed);
 }
 
-TEST(TrendLine, HasAnHonestIntervalOfAFewPoints) {
+TEST(TrendLine, HasAnIntervalThatCoversAFewPoints) {
   const auto four = trend_line_of({{1, 2, 3, 4}, {1, 3, 4, 8}});
   EXPECT_TRUE(std::isinf(four->slope_low) && four->slope_low < 0);
   EXPECT_TRUE(std::isinf(four->slope_high) && four->slope_high > 0);

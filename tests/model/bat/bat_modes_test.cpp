@@ -99,14 +99,13 @@ TEST(BatModes, AreOrthogonalInTheFullMassMatrix) {
   const BatModes modes = bat_modes(kStepped, {}, {.modes = 200});
   const Eigen::MatrixXd product = modes.shape.transpose() * (modes.beam.mass * modes.shape);
   EXPECT_LE((product - Eigen::MatrixXd::Identity(product.rows(), product.cols())).cwiseAbs().maxCoeff(), kOrthogonal);
-  BatProfile same = kStepped;
-  TimoshenkoBeam light = timoshenko_beam(same, {}, modes.length_m / 84);
+  const TimoshenkoBeam beam = timoshenko_beam(kStepped, {}, modes.length_m / 84);
   Eigen::MatrixXd plain = Eigen::MatrixXd::Zero(6, 6);
   constexpr int kPoints = 2000;  // ρA w wᵀ, summed over the bat: no rotary inertia
   for (int i = 0; i < kPoints; ++i) {
     const double z_m = (i + 0.5) * modes.length_m / kPoints;
     const Eigen::VectorXd w = modes.deflection(z_m).head(6);
-    plain += light.elements[element_at(light, z_m)].mass_kgpm * modes.length_m / kPoints * w * w.transpose();
+    plain += beam.elements[element_at(beam, z_m)].mass_kgpm * modes.length_m / kPoints * w * w.transpose();
   }
   plain.diagonal().setZero();
   EXPECT_GT(plain.cwiseAbs().maxCoeff(), 0.005);

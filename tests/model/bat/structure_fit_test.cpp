@@ -10,6 +10,8 @@
 
 namespace percuss::model::structure_fit_test {
 
+constexpr double kFound = 1e-7;  // relative: the fit ends with steps of 1e-9. Measured: 5e-9 of parameters
+
 // A wood bat on a spring, with a cap.
 BeamStructure held_bat() {
   BeamStructure bat{.table = {.kind = ProfileKind::points}, .material = {}};
@@ -40,10 +42,11 @@ TEST(StructureFit, RecoversStiffnessSpringAndMassFromExactFrequencies) {
   start.added[0].mass_kg *= 3;
   const StructureFit fit = fit_structure(
       start, {StructureParameter::young, StructureParameter::torsion, StructureParameter::mass}, measured);
-  EXPECT_NEAR(fit.parameters[0].value / truth.material.young_Pa, 1, 1e-6);
-  EXPECT_NEAR(fit.parameters[1].value / 800, 1, 1e-6);
-  EXPECT_NEAR(fit.parameters[2].value / 0.04, 1, 1e-6);
-  for (std::size_t i = 0; i < measured.size(); ++i) EXPECT_NEAR(fit.model_Hz[i] / measured[i].freq_Hz, 1, 1e-9);
+  EXPECT_NEAR(fit.parameters[0].value / truth.material.young_Pa, 1, kFound);
+  EXPECT_NEAR(fit.parameters[1].value / 800, 1, kFound);
+  EXPECT_NEAR(fit.parameters[2].value / 0.04, 1, kFound);
+  constexpr double kFitted = 1e-9;  // measured 7e-12: the frequencies depend on the parameters to second order at most
+  for (std::size_t i = 0; i < measured.size(); ++i) EXPECT_NEAR(fit.model_Hz[i] / measured[i].freq_Hz, 1, kFitted);
 }
 
 // Frequencies of a slender beam rise with √E: σ_E/E = 2 σ_f/f for one frequency, and 2 σ_f/(f √n) for n.
@@ -54,7 +57,8 @@ TEST(StructureFit, StatesTheClosedFormOfAStandardDeviation) {
   for (const std::size_t modes : {1U, 4U}) {
     const StructureFit fit = fit_structure(beam, {StructureParameter::young}, measured_on(beam, modes, 1e-3));
     const double expected = 2e-3 / std::sqrt(static_cast<double>(modes));
-    EXPECT_NEAR(*fit.parameters[0].std / fit.parameters[0].value, expected, 1e-6 * expected);
+    constexpr double kDifferences = 1e-6;  // of the fit's central differences in log E; measured 6e-7
+    EXPECT_NEAR(*fit.parameters[0].std / fit.parameters[0].value, expected, kDifferences * expected);
   }
 }
 
@@ -94,8 +98,8 @@ TEST(StructureFit, HoldsTheTotalMass) {
   start.material.density_kgpm3 = density_for_mass(start, total_kg);
   const StructureFit fit = fit_structure(start, {StructureParameter::young, StructureParameter::mass},
                                          measured_on(truth, 4, 1e-3), {.total_mass_kg = total_kg});
-  EXPECT_NEAR(fit.parameters[1].value / 0.04, 1, 1e-6);
-  EXPECT_NEAR(fit.structure.material.density_kgpm3 / truth.material.density_kgpm3, 1, 1e-6);
+  EXPECT_NEAR(fit.parameters[1].value / 0.04, 1, kFound);
+  EXPECT_NEAR(fit.structure.material.density_kgpm3 / truth.material.density_kgpm3, 1, kFound);
 }
 
 TEST(StructureFit, HasNoStandardDeviationWithoutSpareFrequencies) {

@@ -11,6 +11,10 @@
 
 namespace percuss::model::impact_test {
 
+constexpr double kRounding = 1e-12;  // relative, of the thousand steps of a contact
+// The error of the steps: of a COR, of a time in seconds, and of the energy over the ball's. Measured: 5e-10 at most.
+constexpr double kStepError = 1e-9;
+
 // The default ball against a beam that practically cannot move.
 Impact wall() {
   Impact impact;
@@ -48,16 +52,19 @@ const std::vector<Reference> kFiniteElements{
     {1.2, 0.24253546, 0.00247798711, 746.77807, 0.02835421, 0.0132134, 0}};
 
 TEST(BeamImpact, AgreesWithFiniteElementsAndRungeKutta) {
+  // About 1e-6 of the values of the contact, and 1e-4 of those after it. Measured: a third to two thirds of each.
+  constexpr double kCor = 5e-7, kContact_s = 2e-9, kForce_N = 1e-3;
+  constexpr double kForward_m = 2e-6, kForward_s = 1e-6, kRecontact_s = 2e-6;
   for (const Reference& reference : kFiniteElements) {
     const ImpactResult r = simulate_impact(with_mass(reference.mass_per_length_kgpm));
-    EXPECT_NEAR(r.cor, reference.cor, 5e-7) << reference.mass_per_length_kgpm;
-    EXPECT_NEAR(r.contact_s, reference.contact_s, 2e-9);
-    EXPECT_NEAR(r.peak_force_N, reference.peak_force_N, 1e-3);
-    EXPECT_NEAR(r.forward_deflection_m, reference.forward_m, 2e-6);
-    EXPECT_NEAR(r.forward_deflection_time_s, reference.forward_s, 1e-6);
+    EXPECT_NEAR(r.cor, reference.cor, kCor) << reference.mass_per_length_kgpm;
+    EXPECT_NEAR(r.contact_s, reference.contact_s, kContact_s);
+    EXPECT_NEAR(r.peak_force_N, reference.peak_force_N, kForce_N);
+    EXPECT_NEAR(r.forward_deflection_m, reference.forward_m, kForward_m);
+    EXPECT_NEAR(r.forward_deflection_time_s, reference.forward_s, kForward_s);
     ASSERT_EQ(r.recontact_s.has_value(), reference.recontact_s > 0);
     if (r.recontact_s) {
-      EXPECT_NEAR(*r.recontact_s, reference.recontact_s, 2e-6);
+      EXPECT_NEAR(*r.recontact_s, reference.recontact_s, kRecontact_s);
     }
   }
 }
@@ -72,24 +79,24 @@ TEST(BeamImpact, StatesTheLargestDeflectionByMagnitudeWithItsSign) {
     for (const ImpactMoment& moment : r.series) {
       if (std::abs(moment.beam_m) > std::abs(largest)) largest = moment.beam_m;
     }
-    // The series has a point per 0.02 ms, so its largest value may fall slightly short of the true one.
-    EXPECT_GE(std::abs(r.peak_deflection_m), std::abs(largest) * (1 - 1e-9)) << at_m;
-    EXPECT_NEAR(r.peak_deflection_m, largest, 0.02 * std::abs(largest)) << at_m;
+    // The series has a point per 0.02 ms, so its largest value may fall short of the true one: by 1e-6 of it.
+    constexpr double kSampled = 1e-5;
+    EXPECT_GE(std::abs(r.peak_deflection_m), std::abs(largest) * (1 - kRounding)) << at_m;
+    EXPECT_NEAR(r.peak_deflection_m, largest, kSampled * std::abs(largest)) << at_m;
     EXPECT_LE(r.forward_deflection_m, std::abs(r.peak_deflection_m));
     EXPECT_LT(r.peak_deflection_m, 0) << "the backward swing is larger at each of these places";
   }
 }
 
 TEST(BeamImpact, ConservesEnergy) {
-  constexpr double kClosed = 1e-9;  // of the ball's energy, at every step
-  for (const double mass : {0.6, 1.0, 2.24, 3.0}) EXPECT_LE(simulate_impact(with_mass(mass)).energy_error, kClosed);
+  for (const double mass : {0.6, 1.0, 2.24, 3.0}) EXPECT_LE(simulate_impact(with_mass(mass)).energy_error, kStepError);
   Impact impact;
   impact.at_m = 0.1;
-  EXPECT_LE(simulate_impact(impact).energy_error, kClosed);
+  EXPECT_LE(simulate_impact(impact).energy_error, kStepError);
   impact.beam.support = BeamSupport::free;
-  EXPECT_LE(simulate_impact(impact).energy_error, kClosed);
+  EXPECT_LE(simulate_impact(impact).energy_error, kStepError);
   impact.hysteresis_spm = 0.05;
-  EXPECT_LE(simulate_impact(impact).energy_error, kClosed);  // the lost energy included
+  EXPECT_LE(simulate_impact(impact).energy_error, kStepError);  // the lost energy included
 }
 
 // The factor by which halving the step reduces the error: the smallest of three halvings.
@@ -120,7 +127,7 @@ TEST(BeamImpact, ConvergesBySmallIncrementsAtFirstOrder) {
 
 TEST(BeamImpact, MeetsItsStatedAccuracy) {
   const double truth = simulate_impact({}, {.step_s = 1e-6}).cor;
-  EXPECT_NEAR(simulate_impact({}).cor, truth, 1e-9);
+  EXPECT_NEAR(simulate_impact({}).cor, truth, kStepError);
 }
 
 TEST(BeamImpact, HardlyDependsOnTheSpringStiffness) {
@@ -168,15 +175,16 @@ TEST(BeamImpact, FollowsTheBallToItsLastContact) {
     std::size_t contacts;
     double last_separation_s;
   };
+  constexpr double kPrinted = 0.5e-8;
   for (const Last& reference : {Last{0.6, 0.97567256, 2, 0.018943089}, Last{0.7, 0.96792122, 2, 0.021599395},
                                 Last{0.8, 0.91223423, 2, 0.024346503}, Last{1.0, 0.58623860, 2, 0.031413716}}) {
     const ImpactResult r = simulate_impact(with_mass(reference.mass_per_length_kgpm));
     ASSERT_TRUE(r.final_cor && r.final_cor_uncertainty) << reference.mass_per_length_kgpm;
-    EXPECT_NEAR(*r.final_cor, reference.final_cor, 1e-8) << reference.mass_per_length_kgpm;
+    EXPECT_NEAR(*r.final_cor, reference.final_cor, kPrinted + kStepError) << reference.mass_per_length_kgpm;
     EXPECT_EQ(r.contacts, reference.contacts);
-    EXPECT_NEAR(r.last_separation_s, reference.last_separation_s, 1e-9);
-    EXPECT_LE(*r.final_cor_uncertainty, 1e-6);
-    EXPECT_LE(r.energy_error, 1e-9);
+    EXPECT_NEAR(r.last_separation_s, reference.last_separation_s, kStepError);
+    EXPECT_LE(*r.final_cor_uncertainty, kStepError);
+    EXPECT_LE(r.energy_error, kStepError);
   }
 }
 
@@ -225,10 +233,10 @@ TEST(BeamImpact, HasNoLargestDeflectionWhereTheBeamFliesOff) {
 
 TEST(BeamImpact, MatchesHertzOnAWall) {
   const ImpactResult r = simulate_impact(wall());
-  EXPECT_NEAR(r.cor, 1, 1e-9);
+  EXPECT_NEAR(r.cor, 1, kStepError);
   EXPECT_NEAR(r.contact_s / hertz_contact_s(wall()), 1, 1e-6);  // its constant has seven digits
   const double approach_m = std::pow(1.25 * 0.16 * 25 / 3.2e6, 0.4);
-  EXPECT_NEAR(r.peak_force_N / (3.2e6 * std::pow(approach_m, 1.5)), 1, 1e-8);
+  EXPECT_NEAR(r.peak_force_N / (3.2e6 * std::pow(approach_m, 1.5)), 1, kStepError);
 }
 
 // The closed form that defines χ does not depend on the time steps.
@@ -237,10 +245,11 @@ TEST(BeamImpact, HasTheStatedRestitutionOnAWall) {
     Impact impact = wall();
     impact.hysteresis_spm = hysteresis_for_spm(restitution, impact.speed_mps);
     const ImpactResult r = simulate_impact(impact);
-    EXPECT_NEAR(r.cor, restitution, 1e-9);
-    EXPECT_LE(r.energy_error, 1e-9);
-    // A dent that remains after the contact keeps part of the energy, at low restitution only.
-    EXPECT_NEAR(r.lost_J / (0.5 * 0.16 * 25), 1 - restitution * restitution, restitution < 0.05 ? 0.02 : 1e-8);
+    EXPECT_NEAR(r.cor, restitution, kStepError);
+    EXPECT_LE(r.energy_error, kStepError);
+    // A dent that remains after the contact keeps part of the energy, at low restitution only: 1.4 % at 0.01.
+    constexpr double kDent = 0.02;
+    EXPECT_NEAR(r.lost_J / (0.5 * 0.16 * 25), 1 - restitution * restitution, restitution < 0.05 ? kDent : kStepError);
   }
 }
 
@@ -263,15 +272,15 @@ TEST(BeamImpact, ScalesWithItsUnits) {
   impact.beam.stiffness_Nm2 *= 7;
   impact.beam.mass_per_length_kgpm *= 7;
   impact.beam.torsion_Nmprad *= 7;
-  EXPECT_NEAR(simulate_impact(impact).cor, simulate_impact({}).cor, 1e-9);
+  EXPECT_NEAR(simulate_impact(impact).cor, simulate_impact({}).cor, kRounding);
 }
 
 TEST(BeamImpact, WritesASeriesThatMatchesItsResult) {
   const ImpactResult r = simulate_impact({}, {.series = true});
   ASSERT_GT(r.series.size(), 1000U);
   EXPECT_EQ(r.series.front().ball_speed_mps, 5);
-  EXPECT_NEAR(-r.series.back().ball_speed_mps / 5, r.cor, 1e-12);
-  EXPECT_NEAR(r.series.back().time_s, r.contact_s + kFollowUp_s, 1e-12);
+  EXPECT_NEAR(-r.series.back().ball_speed_mps / 5, r.cor, kRounding);
+  EXPECT_NEAR(r.series.back().time_s, r.contact_s + kFollowUp_s, kRounding);
   double peak_m = 0, force_N = 0, impulse_Ns = 0;
   for (std::size_t i = 0; i < r.series.size(); ++i) {
     if (std::abs(r.series[i].beam_m) > std::abs(peak_m)) peak_m = r.series[i].beam_m;
@@ -295,7 +304,7 @@ TEST(BeamImpact, ConservesMomentumOnAFreeRigidBeam) {
   const double mass = 2.24 * 0.57, inertia = mass * 0.57 * 0.57 / 12, arm = impact.at_m - 0.285;
   const double effective = mass / (1 + mass * arm * arm / inertia);
   const ImpactResult r = simulate_impact(impact);
-  EXPECT_NEAR(r.cor, (effective - impact.ball_mass_kg) / (effective + impact.ball_mass_kg), 1e-9);
+  EXPECT_NEAR(r.cor, (effective - impact.ball_mass_kg) / (effective + impact.ball_mass_kg), kStepError);
   EXPECT_FALSE(r.recontact_s.has_value());
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "model/shell/shell_fit.hpp"
 #include "support/input_error.hpp"
@@ -80,7 +81,8 @@ TEST(Shell, IsProportionalToTheRootOfItsModulus) {
 TEST(Shell, HasTheMassOfItsMaterial) {
   const double outer = kAluminium.outer_diameter_m, inner = outer - 2 * kAluminium.wall_m;
   EXPECT_NEAR(tube_mass_kg(kAluminium),
-              kAluminium.density_kgpm3 * M_PI / 4 * (outer * outer - inner * inner) * kAluminium.length_m, 1e-12);
+              kAluminium.density_kgpm3 * std::numbers::pi / 4 * (outer * outer - inner * inner) * kAluminium.length_m,
+              1e-12);
 }
 
 std::vector<MeasuredHoop> measured_on(const TubeShell& shell, std::vector<MeasuredHoop> patterns) {

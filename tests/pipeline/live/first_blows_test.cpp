@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -12,7 +13,7 @@ namespace percuss::pipeline::first_blows_test {
 
 using acquire::RowMark;
 using Bench = test::GuideBench;
-using test::struck_tube;
+using test::kTubeChannels, test::kTubeRate_Hz, test::struck_tube;
 using testing::ElementsAre, testing::HasSubstr;
 
 // Fewer samples precede the first blow than the later ones.
@@ -23,7 +24,7 @@ TEST(FirstBlows, GivesRowsTheirDecayAfterAnEarlyFirstBlow) {
   bench.play_all();
   EXPECT_THAT(bench.marks(), ElementsAre(RowMark::none, RowMark::none, RowMark::none));
   // The slowest mode falls by 52 dB in 0.4 s.
-  EXPECT_GT(static_cast<double>(bench.guide->length().value_or(0)), (1 + 0.4) * 4096);
+  EXPECT_GT(static_cast<double>(bench.guide->length().value_or(0)), (1 + 0.4) * kTubeRate_Hz);
   Bench early(struck_tube("0.01, 4, 8", 12));
   early.play_all();
   EXPECT_EQ(early.witness.left_out, 1U);
@@ -46,8 +47,9 @@ TEST(FirstBlows, TakesOutWeakFirstBlowsOnceThereAreThree) {
 TEST(FirstBlows, TellsRingingFromASilentChannel) {
   Bench bench(struck_tube("0.4, 2, 3.6", 6));
   for (std::size_t i = 1640; i < bench.source.frames(); ++i) {
-    for (std::size_t c = 1; c < 3; ++c)
-      bench.source.values[3 * i + c] += 50 * std::sin(2 * 3.14159265358979 * 151.37 * static_cast<double>(i) / 4096);
+    for (std::size_t c = 1; c < kTubeChannels; ++c)
+      bench.source.values[kTubeChannels * i + c] +=
+          50 * std::sin(2 * std::numbers::pi * 151.37 * static_cast<double>(i) / kTubeRate_Hz);
   }
   bench.play_all();
   for (std::size_t blow = 1; blow < bench.marks().size(); ++blow)
@@ -58,8 +60,8 @@ TEST(FirstBlows, TellsRingingFromASilentChannel) {
 TEST(FirstBlows, SeesContactsBeforeTheSamples) {
   Bench bench(struck_tube("0.4, 1.9, 3.4", 5));
   for (std::size_t i = 0; i < 3; ++i) {
-    const double part = 0.3 * std::pow(std::sin(3.14159265358979 * (static_cast<double>(i) + 0.5) / 3), 2);
-    bench.source.values[3 * (static_cast<std::size_t>(1.85 * 4096) + i)] += 300 * part;
+    const double part = 0.3 * std::pow(std::sin(std::numbers::pi * (static_cast<double>(i) + 0.5) / 3), 2);
+    bench.source.values[kTubeChannels * (static_cast<std::size_t>(1.85 * kTubeRate_Hz) + i)] += 300 * part;
   }
   bench.play_all();
   EXPECT_THAT(bench.marks(), ElementsAre(RowMark::none, RowMark::double_hit, RowMark::none));

@@ -14,7 +14,7 @@ namespace percuss::pipeline::guide_faults_test {
 
 using acquire::RowMark;
 using Bench = test::GuideBench;
-using test::analysis_document, test::struck_tube;
+using test::analysis_document, test::kTubeChannels, test::kTubeRate_Hz, test::struck_tube;
 using testing::ElementsAre;
 
 constexpr const char* kFiveTimes = "0.4, 1.9, 3.4, 4.9, 6.4";
@@ -23,7 +23,8 @@ constexpr const char* kFiveTimes = "0.4, 1.9, 3.4, 4.9, 6.4";
 TEST(GuideFaults, ReportsFaultsInTheOrderOfSamples) {
   const acquire::Record tube = struck_tube(kFiveTimes, 8);
   const auto play = [](Bench& bench, std::size_t block) {
-    for (std::size_t i = 3000; i < 3200; ++i) bench.source.values[3 * i + 2] = std::nan("");  // between the blows
+    for (std::size_t i = 3000; i < 3200; ++i)
+      bench.source.values[kTubeChannels * i + 2] = std::nan("");  // between the blows
     const std::size_t lost = 8000, last = bench.source.frames();
     bench.play(0, lost, block);  // in the second blow
     bench.play(lost + 200, last, block);
@@ -66,7 +67,7 @@ TEST(GuideFaults, StatesWhyFramesAreMissing) {
   bench.guide->finish();
   EXPECT_THAT(bench.guide->record().faults,
               ElementsAre(acquire::RecordFault{
-                  .kind = acquire::FaultKind::dropped, .row = 1, .time_s = 8000 / 4096.0, .value = 200}));
+                  .kind = acquire::FaultKind::dropped, .row = 1, .time_s = 8000 / kTubeRate_Hz, .value = 200}));
 }
 
 TEST(GuideFaults, KeepsTheFaultsOfAnInterruptedSession) {
@@ -91,7 +92,7 @@ TEST(GuideFaults, KeepsTheFaultsOfAnInterruptedSession) {
 // The trigger needs only the force. A channel without numbers is named once, and the memory does not grow.
 TEST(GuideFaults, NamesAChannelThatDeliversNoNumbers) {
   Bench bench(struck_tube(kFiveTimes, 8));
-  for (std::size_t i = 2; i < bench.source.values.size(); i += 3) bench.source.values[i] = std::nan("");
+  for (std::size_t i = 2; i < bench.source.values.size(); i += kTubeChannels) bench.source.values[i] = std::nan("");
   bench.play_all();
   for (const RowMark mark : bench.marks()) EXPECT_EQ(mark, RowMark::no_numbers);
   ASSERT_EQ(bench.witness.blows.size(), 5U);
@@ -99,7 +100,7 @@ TEST(GuideFaults, NamesAChannelThatDeliversNoNumbers) {
   ASSERT_EQ(bench.witness.faults.size(), 1U);
   EXPECT_EQ(bench.witness.faults[0].channel, 2U);
   Bench force(struck_tube(kFiveTimes, 8));
-  for (std::size_t i = 0; i < force.source.values.size(); i += 3) force.source.values[i] = std::nan("");
+  for (std::size_t i = 0; i < force.source.values.size(); i += kTubeChannels) force.source.values[i] = std::nan("");
   force.play(0, force.source.frames());
   EXPECT_LT(force.guide->kept_frames(), 6000U);
   ASSERT_EQ(force.witness.faults.size(), 1U);
@@ -127,8 +128,9 @@ TEST(GuideFaults, MarksBlowsThatLostSamples) {
   EXPECT_THAT(bench.marks(),
               ElementsAre(RowMark::none, RowMark::lost_samples, RowMark::none, RowMark::none, RowMark::none));
   const acquire::Record record = bench.guide->record();
-  EXPECT_THAT(record.faults, ElementsAre(acquire::RecordFault{
-                                 .kind = acquire::FaultKind::gap, .row = 1, .time_s = lost / 4096.0, .value = 200}));
+  EXPECT_THAT(record.faults,
+              ElementsAre(acquire::RecordFault{
+                  .kind = acquire::FaultKind::gap, .row = 1, .time_s = lost / kTubeRate_Hz, .value = 200}));
   const std::string json = analysis_document(record);
   EXPECT_NE(json.find("capture_lost_samples"), std::string::npos);
   EXPECT_NE(json.find("rejected while it was recorded: samples were lost"), std::string::npos);

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "acquire/hits/hits.hpp"
 #include "support/live/guide_bench.hpp"
@@ -16,7 +17,7 @@ namespace percuss::pipeline::guide_test {
 
 using acquire::RowMark;
 using Bench = test::GuideBench;
-using test::analysis_document, test::force_rows, test::struck_tube;
+using test::analysis_document, test::force_rows, test::kTubeChannels, test::kTubeRate_Hz, test::struck_tube;
 using testing::ElementsAre;
 using Kind = SessionEvent::Kind;
 
@@ -101,11 +102,12 @@ TEST(Guide, RejectsBlowsInTheDecayOfTheLast) {
 TEST(Guide, ReportsPushesThatAreTooLong) {
   Bench bench(struck_tube("2.9, 4.4", 7));
   const auto push = [&](double at_s, double length_s, double peak_N) {
-    const auto first = static_cast<std::size_t>(at_s * 4096), count = static_cast<std::size_t>(length_s * 4096);
+    const auto first = static_cast<std::size_t>(at_s * kTubeRate_Hz),
+               count = static_cast<std::size_t>(length_s * kTubeRate_Hz);
     for (std::size_t i = 0; i < count; ++i) {
-      const double phase = 3.14159265358979 * static_cast<double>(i) / static_cast<double>(count);
-      bench.source.values[3 * (first + i)] += peak_N * std::pow(std::sin(phase), 2);
-      bench.source.values[3 * (first + i) + 1] += i % 2 == 0 ? 30 : -30;
+      const double phase = std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
+      bench.source.values[kTubeChannels * (first + i)] += peak_N * std::pow(std::sin(phase), 2);
+      bench.source.values[kTubeChannels * (first + i) + 1] += i % 2 == 0 ? 30 : -30;
     }
   };
   push(0.5, 0.08, 300);
@@ -126,7 +128,8 @@ TEST(Guide, ReportsPushesThatAreTooLong) {
 TEST(Guide, RejectsBlowsWithinWhichAResponseDropsOut) {
   Bench bench(struck_tube(kFiveTimes, 8));
   std::vector<double>& values = bench.source.values;
-  for (std::size_t i = 0; i < 200; ++i) values[3 * (static_cast<std::size_t>(1.93 * 4096) + i) + 2] = 0;
+  for (std::size_t i = 0; i < 200; ++i)
+    values[kTubeChannels * (static_cast<std::size_t>(1.93 * kTubeRate_Hz) + i) + 2] = 0;
   bench.play_all();
   EXPECT_THAT(bench.marks(),
               ElementsAre(RowMark::none, RowMark::silent_channel, RowMark::none, RowMark::none, RowMark::none));
@@ -148,7 +151,7 @@ TEST(Guide, AcceptsCleanBlowsAtLowRates) {
 TEST(Guide, RejectsASilentChannel) {
   Bench bench(struck_tube(kFiveTimes, 8));
   std::vector<double>& values = bench.source.values;
-  for (std::size_t i = 2; i < values.size(); i += 3) values[i] = 0.25;
+  for (std::size_t i = 2; i < values.size(); i += kTubeChannels) values[i] = 0.25;
   bench.play_all();
   for (const RowMark mark : bench.marks()) EXPECT_EQ(mark, RowMark::silent_channel);
   EXPECT_EQ(bench.witness.blows[0].grade.reason, "channel 3 (accel 2) is silent");
@@ -217,11 +220,11 @@ TEST(Guide, TakesRowsThatBeginShortlyBeforeTheirPulses) {
   test::LiveSource source(struck_tube("0.4, 1.9, 3.4, 4.9, 6.4", 8));
   source.format.pause_frames = kPause;
   test::MemoryLog log;
-  test::GuideWitness witness;
+  test::GuideRecorder witness;
   Guide guide(source.format, live_channels(source.format, {}), {.plan = {.hits = 5}, .folder = testing::TempDir()}, log,
               witness);
   for (std::size_t row = 0; row < 5; ++row) {
-    const auto pulse = static_cast<std::size_t>((0.4 + 1.5 * static_cast<double>(row)) * 4096);
+    const auto pulse = static_cast<std::size_t>((0.4 + 1.5 * static_cast<double>(row)) * kTubeRate_Hz);
     acquire::SampleBlock block = source.block(pulse - kBefore, kRow);
     block.first_frame = row * (kRow + kPause);
     guide.take(std::move(block));
@@ -256,7 +259,7 @@ TEST(Guide, RepeatsThePointOfTheBlowBeingRecorded) {
 
 TEST(Guide, ReportsASilentHammer) {
   Bench bench(struck_tube(kFiveTimes, 8));
-  for (std::size_t i = 0; i < bench.source.values.size(); i += 3)
+  for (std::size_t i = 0; i < bench.source.values.size(); i += kTubeChannels)
     bench.source.values[i] = 0.001 * std::sin(0.9 * static_cast<double>(i));
   bench.play_all();
   EXPECT_EQ(bench.witness.silent_hammers, 1U);
@@ -276,18 +279,18 @@ TEST(Guide, GivesRowsTheirDecayAfterALongPretrigger) {
 TEST(Guide, EndsByKeyAfterTheBlowThatIsBeingRecorded) {
   for (const bool twice : {false, true}) {
     Bench bench(struck_tube(kFiveTimes, 8));
-    bench.play(0, static_cast<std::size_t>(2 * kFs_Hz));  // in the second blow
+    bench.play(0, static_cast<std::size_t>(2 * kTubeRate_Hz));  // in the second blow
     bench.guide->command(Kind::finish);
     EXPECT_FALSE(bench.guide->session().finished());
     EXPECT_TRUE(bench.guide->has_waiting_command());
     if (twice) bench.guide->command(Kind::finish);
     EXPECT_EQ(bench.guide->session().finished(), twice);
-    bench.play(static_cast<std::size_t>(2 * kFs_Hz), static_cast<std::size_t>(3 * kFs_Hz));
+    bench.play(static_cast<std::size_t>(2 * kTubeRate_Hz), static_cast<std::size_t>(3 * kTubeRate_Hz));
     EXPECT_TRUE(bench.guide->session().finished());
     EXPECT_EQ(bench.guide->session().accepted(), twice ? 1U : 2U);
   }
   Bench quiet(struck_tube(kFiveTimes, 8));
-  quiet.play(0, static_cast<std::size_t>(1.5 * kFs_Hz));
+  quiet.play(0, static_cast<std::size_t>(1.5 * kTubeRate_Hz));
   quiet.guide->command(Kind::finish);
   EXPECT_TRUE(quiet.guide->session().finished());
 }

@@ -11,17 +11,17 @@
 namespace percuss::pipeline::missed_blows_test {
 
 using Bench = test::GuideBench;
+using test::kTubeChannels;
+using test::kTubeRate_Hz;
 using test::struck_tube;
 using Kind = SessionEvent::Kind;
 
 constexpr const char* kFiveTimes = "0.4, 1.9, 3.4, 4.9, 6.4";
-constexpr std::size_t kChannels = 3;
-constexpr double kFs_Hz = 4096;
 
 // The hammer's cable breaks, and only noise remains.
 void cut_force(Bench& bench, double from_s) {
-  for (auto frame = static_cast<std::size_t>(from_s * kFs_Hz); frame < bench.source.frames(); ++frame)
-    bench.source.values[kChannels * frame] = 0.001 * std::sin(0.9 * static_cast<double>(frame));
+  for (auto frame = static_cast<std::size_t>(from_s * kTubeRate_Hz); frame < bench.source.frames(); ++frame)
+    bench.source.values[kTubeChannels * frame] = 0.001 * std::sin(0.9 * static_cast<double>(frame));
 }
 
 TEST(MissedBlows, AreReportedAfterOtherBlows) {
@@ -36,8 +36,9 @@ TEST(MissedBlows, AreReportedBelowATriggerLevel) {
   GuideOptions options{.plan = {.hits = 9}};
   options.trigger_N = 150;
   Bench bench(struck_tube(kFiveTimes, 8), std::move(options));
-  for (auto frame = static_cast<std::size_t>(3 * kFs_Hz); frame < static_cast<std::size_t>(4.5 * kFs_Hz); ++frame)
-    for (std::size_t c = 0; c < kChannels; ++c) bench.source.values[kChannels * frame + c] *= 0.5;
+  for (auto frame = static_cast<std::size_t>(3 * kTubeRate_Hz); frame < static_cast<std::size_t>(4.5 * kTubeRate_Hz);
+       ++frame)
+    for (std::size_t c = 0; c < kTubeChannels; ++c) bench.source.values[kTubeChannels * frame + c] *= 0.5;
   bench.play_all();
   EXPECT_EQ(bench.guide->session().accepted(), 4U);
   EXPECT_EQ(bench.witness.silent_hammers, 1U);
@@ -48,16 +49,16 @@ TEST(MissedBlows, AreReportedBelowATriggerLevel) {
 TEST(MissedBlows, AreNotReportedForHandling) {
   Bench weak(struck_tube(kFiveTimes, 8), {.plan = {.hits = 9}});
   cut_force(weak, 3);
-  for (auto frame = static_cast<std::size_t>(3 * kFs_Hz); frame < weak.source.frames(); ++frame)
-    for (std::size_t c = 1; c < kChannels; ++c) weak.source.values[kChannels * frame + c] *= 0.1;
+  for (auto frame = static_cast<std::size_t>(3 * kTubeRate_Hz); frame < weak.source.frames(); ++frame)
+    for (std::size_t c = 1; c < kTubeChannels; ++c) weak.source.values[kTubeChannels * frame + c] *= 0.1;
   weak.play_all();
   EXPECT_EQ(weak.witness.silent_hammers, 0U);
 
   Bench paused(struck_tube(kFiveTimes, 8), {.plan = {.hits = 9}});
   cut_force(paused, 3);
-  paused.play(0, static_cast<std::size_t>(3 * kFs_Hz));
+  paused.play(0, static_cast<std::size_t>(3 * kTubeRate_Hz));
   paused.guide->command(Kind::pause);
-  paused.play(static_cast<std::size_t>(3 * kFs_Hz), paused.source.frames());
+  paused.play(static_cast<std::size_t>(3 * kTubeRate_Hz), paused.source.frames());
   EXPECT_EQ(paused.witness.silent_hammers, 0U);
 
   GuideOptions roving{.plan = {.points = {1, 2}, .hits = 2}};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "acquire/hits/hits.hpp"
@@ -88,7 +89,7 @@ TEST(OnlineTrigger, FindsBlowsAfterAnAccident) {
   for (double& value : force) value = normal(random);
   const auto strike = [&](std::size_t at, double peak_N) {
     for (std::size_t i = 0; i < 12; ++i)
-      force[at + i] += peak_N * std::sin(3.14159265 * (static_cast<double>(i) + 0.5) / 12);
+      force[at + i] += peak_N * std::sin(std::numbers::pi * (static_cast<double>(i) + 0.5) / 12);
   };
   for (std::size_t i = 0; i < 4; ++i) strike(10'000 + 40'000 * i, i == 1 ? 9000 : 20);
   EXPECT_EQ(peaks(force, 25600, 512).size(), 4U);
@@ -101,7 +102,7 @@ std::vector<double> one_push(double fs_Hz, double at_s, double length_s, double 
   std::vector<double> force(static_cast<std::size_t>(end_s * fs_Hz));
   for (std::size_t i = 0; i < force.size(); ++i) {
     const double phase = (static_cast<double>(i) / fs_Hz - at_s) / length_s;
-    const double root = phase > 0 && phase < 1 ? std::sin(3.14159265358979 * phase) : 0;
+    const double root = phase > 0 && phase < 1 ? std::sin(std::numbers::pi * phase) : 0;
     force[i] = normal(random) + 300 * root * root;
   }
   return force;
@@ -139,17 +140,17 @@ TEST(OnlineTrigger, FindsBlowsWhileTheForceDrifts) {
   }
 }
 
-TEST(OnlineTrigger, TellsOfEachPushThatIsTooLong) {
+TEST(OnlineTrigger, ReportsEachPushThatIsTooLong) {
   for (const double length_s : {0.07, 0.12, 0.25}) {
     OnlineTrigger trigger({.fs_Hz = 1000, .trigger_N = {}}, 0);
     for (int push = 0; push < 3; ++push) trigger.add(one_push(1000, 1, length_s, 4));
     trigger.finish();
     EXPECT_FALSE(trigger.next().has_value());
-    for (int push = 0; push < 3; ++push) {
-      const auto told = trigger.next_long_push();
-      ASSERT_TRUE(told.has_value()) << length_s;
-      EXPECT_NEAR(told->peak_N, 300, 1);
-      EXPECT_NEAR(told->length_s, 0.856 * length_s, 0.001);  // sin² exceeds 5 % on 85.6 % of its length
+    for (int i = 0; i < 3; ++i) {
+      const auto push = trigger.next_long_push();
+      ASSERT_TRUE(push.has_value()) << length_s;
+      EXPECT_NEAR(push->peak_N, 300, 1);
+      EXPECT_NEAR(push->length_s, 0.856 * length_s, 0.001);  // sin² exceeds 5 % on 85.6 % of its length
     }
     EXPECT_FALSE(trigger.next_long_push().has_value());
   }
@@ -164,7 +165,7 @@ TEST(OnlineTrigger, MeasuresTheRise) {
   EXPECT_NEAR(static_cast<double>(event->rise), 0.856 * 128, 1);
 }
 
-TEST(OnlineTrigger, TellsWhatIsSearched) {
+TEST(OnlineTrigger, StatesTheLastFrameSearched) {
   OnlineTrigger trigger({.fs_Hz = 4096}, 0);
   std::vector<double> quiet(4096);
   for (std::size_t i = 0; i < quiet.size(); ++i) quiet[i] = i % 2 == 0 ? 0.001 : -0.001;

@@ -94,7 +94,7 @@ TEST(ResponseImpacts, FindsSoftTapsInWhiteNoiseAtAHighRate) {
     ASSERT_EQ(found.size(), 3U) << seed;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto start = static_cast<double>(kLead + i * kEach);
-      EXPECT_GT(static_cast<double>(found[i].first), start - 24) << seed;
+      EXPECT_GE(static_cast<double>(found[i].first), start) << seed;
       EXPECT_LT(static_cast<double>(found[i].first), start + kContact) << seed;
     }
   }
@@ -106,7 +106,6 @@ TEST(ResponseImpacts, FindsWeakTapsInNoise) {
   constexpr double kPhone_Hz = 44100;
   constexpr std::size_t kLead = 30000, kEach = 60000;
   const Complex s = identify::decay_rate_of({800, 0.002}).rate_radps;
-  std::size_t taps = 0;
   for (unsigned seed = 1; seed <= 10; ++seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> gauss;
@@ -116,10 +115,8 @@ TEST(ResponseImpacts, FindsWeakTapsInNoise) {
       x[n] += 0.2 * gauss(random);
     }
     const auto found = response_impacts(test::response_record(kPhone_Hz, {{x}}, 0, true), {});
-    EXPECT_LE(found.size(), 3U) << seed;
-    taps += found.size();
+    EXPECT_EQ(found.size(), 3U) << seed;
   }
-  EXPECT_GE(taps, 29U);
 }
 
 }  // namespace percuss::pipeline::response_impacts_test

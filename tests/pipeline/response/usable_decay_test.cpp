@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "pipeline/response/response_test.hpp"
@@ -80,7 +81,7 @@ TEST(UsableDecay, LeavesOutADisturbedHit) {
   std::mt19937 random(4);
   std::normal_distribution<double> gauss;
   for (std::size_t n = 0; n < 400; ++n)
-    x[kLead + kEach + 6000 + n] += 0.003 * gauss(random) * std::sin(3.14 * static_cast<double>(n) / 400);
+    x[kLead + kEach + 6000 + n] += 0.003 * gauss(random) * std::sin(std::numbers::pi * static_cast<double>(n) / 400);
   const ResponseTest test = analyse_responses(test::response_record(kFs_Hz, {{x}}, 0, true), {.threads = 1});
   ASSERT_EQ(test.hits.size(), 3U);
   EXPECT_TRUE(test.hits[0].accepted);

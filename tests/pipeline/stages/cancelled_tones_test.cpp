@@ -10,8 +10,7 @@
 #include "pipeline/stages/hidden_modes.hpp"
 #include "support/modal_frfs.hpp"
 
-namespace percuss::pipeline {
-namespace {
+namespace percuss::pipeline::cancelled_tones_test {
 
 constexpr std::array<identify::Pole, 2> kModes = {
     {{.freq_Hz = 591, .damping_ratio = 0.0066}, {.freq_Hz = 598, .damping_ratio = 0.0077}}};
@@ -119,5 +118,4 @@ TEST(CancelledTones, NeedTwoChannelsAndThreeHits) {
   EXPECT_FALSE(can_cancel_tones(test.set, test.frfs));
 }
 
-}  // namespace
-}  // namespace percuss::pipeline
+}  // namespace percuss::pipeline::cancelled_tones_test

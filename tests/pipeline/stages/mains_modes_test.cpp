@@ -6,8 +6,7 @@
 
 #include "support/hits_with_phases.hpp"
 
-namespace percuss::pipeline {
-namespace {
+namespace percuss::pipeline::mains_modes_test {
 
 const std::vector<Tone> kHum = {{.freq_Hz = 49.99}, {.freq_Hz = 120.3}};
 
@@ -39,5 +38,4 @@ TEST(MainsModes, NeedsThreeHits) {
   EXPECT_EQ(modes_left(449.8, 0.9, 3, 0.4), 1U);
 }
 
-}  // namespace
-}  // namespace percuss::pipeline
+}  // namespace percuss::pipeline::mains_modes_test

@@ -6,8 +6,7 @@
 
 #include "support/hits_with_phases.hpp"
 
-namespace percuss::pipeline {
-namespace {
+namespace percuss::pipeline::narrow_bands_test {
 
 constexpr double kWeak_Hz = 620.4;
 
@@ -50,5 +49,4 @@ TEST(NarrowBands, KeepAllModesThatAreKnown) {
   EXPECT_EQ(modes.size(), 2U);
 }
 
-}  // namespace
-}  // namespace percuss::pipeline
+}  // namespace percuss::pipeline::narrow_bands_test

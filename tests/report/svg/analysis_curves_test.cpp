@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "acquire/record/record.hpp"
 
@@ -14,7 +15,8 @@ namespace percuss::report::analysis_curves_test {
 TEST(HitCurves, ShowADecayThatBeginsWithAConstantBlock) {
   constexpr std::size_t kSamples = 8192, kPeak = 510, kBegin = 550, kEnd = 6000;
   std::vector<double> force(kSamples), accel(kSamples);
-  for (std::size_t i = 0; i <= 20; ++i) force[kPeak - 10 + i] = 300 * std::sin(M_PI * static_cast<double>(i) / 20);
+  for (std::size_t i = 0; i <= 20; ++i)
+    force[kPeak - 10 + i] = 300 * std::sin(std::numbers::pi * static_cast<double>(i) / 20);
   for (std::size_t i = kBegin; i < kEnd; i += 4) {
     const double amplitude = 100 * std::exp(-static_cast<double>(i - kBegin) / 500);
     accel[i] = accel[i + 1] = amplitude;

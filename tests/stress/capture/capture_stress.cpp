@@ -72,7 +72,7 @@ TEST(CaptureStress, LosesNothingInStallsOf10And20Seconds) {
 
 TEST(CaptureStress, RunsForADayInFlatMemory) {
   constexpr std::uint64_t kHour = std::uint64_t{2000} * 3600;
-  constexpr double kMaxMemory_MB = 64;
+  constexpr double kMaxMemory_MB = 64;  // about twice the largest ring of the store, kMaxRing_bytes
   const ScratchFolder folder;
   const double before_MB = memory_MB("VmRSS:");
   CaptureStream stream(synth::open_simulated_device("wood-bat,numbered,fs=2000,fast,hits=1439,every=60,end=86400"),

@@ -17,7 +17,7 @@
 namespace percuss::test {
 
 /// Records the calls that a Guide makes to its observer.
-struct GuideWitness : pipeline::GuideObserver {
+struct GuideRecorder : pipeline::GuideObserver {
   std::vector<pipeline::BlowReport> blows;
   std::vector<acquire::CaptureFinding> faults;
   std::vector<std::string> order;  // of the calls: "blow 1", "gap"
@@ -43,7 +43,7 @@ struct GuideWitness : pipeline::GuideObserver {
 struct GuideBench {
   LiveSource source;
   MemoryLog log;
-  GuideWitness witness;
+  GuideRecorder witness;
   std::unique_ptr<pipeline::Guide> guide;
 
   explicit GuideBench(const acquire::Record& record, pipeline::GuideOptions options = {},

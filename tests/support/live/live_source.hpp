@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,8 +24,11 @@ struct LiveSource {
   acquire::SampleBlock block(std::size_t first, std::size_t count) const;
 };
 
-/// One long row, sampled at 4096 Hz, of a tube that is struck at these times. Its modes: 200 Hz and 450 Hz (bending),
-/// 700 Hz (hoop). `more` is added to the spec.
+/// The sampling rate of struck_tube, and its channels: the force and two responses.
+inline constexpr double kTubeRate_Hz = 4096;
+inline constexpr std::size_t kTubeChannels = 3;
+/// One long row, sampled at kTubeRate_Hz, of a tube that is struck at these times. Its modes: 200 Hz and 450 Hz
+/// (bending), 700 Hz (hoop). `more` is added to the spec.
 acquire::Record struck_tube(const std::string& times_s, double duration_s, const std::string& more = "");
 
 }  // namespace percuss::test

@@ -40,7 +40,7 @@ struct RecordBench {
   }
   /// Begins a command, whose output goes to the files out and err. Runs `act` as soon as the shell command `condition`
   /// (such as kHasBegun) succeeds, but after ten seconds in any case. Returns the command's exit code.
-  int meanwhile(const std::string& command, const std::string& condition, const std::string& act) const {
+  int run_and_act(const std::string& command, const std::string& condition, const std::string& act) const {
     return shell(command + " >out 2>err &\nfor i in $(seq 500); do " + condition + " && break; sleep 0.02; done\n" +
                  act + "\nwait $!");
   }

@@ -24,42 +24,43 @@ using testing::HasSubstr;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
 
 // The names and the number type of a complex number's members.
-struct Complexes {
+struct ComplexStorage {
   std::vector<std::string> members{"r", "i"};
   hid_t number = H5T_IEEE_F64LE;
 };
 
-Handle compound(const Complexes& of, hid_t number) {
+Handle compound(const ComplexStorage& storage, hid_t number) {
   const std::size_t bytes = H5Tget_size(number);
-  Handle type(H5Tcreate(H5T_COMPOUND, of.members.size() * bytes));
-  for (std::size_t m = 0; m < of.members.size(); ++m) H5Tinsert(type.get(), of.members[m].c_str(), m * bytes, number);
+  Handle type(H5Tcreate(H5T_COMPOUND, storage.members.size() * bytes));
+  for (std::size_t m = 0; m < storage.members.size(); ++m)
+    H5Tinsert(type.get(), storage.members[m].c_str(), m * bytes, number);
   return type;
 }
 
 // Adds FRFs. Element k in C order has the value k + (k + 1) j, both numbers modulo 100.
-void add_frf(hid_t file, const std::vector<hsize_t>& shape, const Complexes& of = {}) {
+void add_frf(hid_t file, const std::vector<hsize_t>& shape, const ComplexStorage& storage = {}) {
   std::size_t count = 1;
   for (const hsize_t size : shape) count *= size;
   std::vector<double> values;
   for (std::size_t k = 0; k < count; ++k) {
-    for (std::size_t m = 0; m < of.members.size(); ++m) values.push_back(static_cast<double>((k + m) % 100));
+    for (std::size_t m = 0; m < storage.members.size(); ++m) values.push_back(static_cast<double>((k + m) % 100));
   }
-  const Handle stored = compound(of, of.number), memory = compound(of, H5T_NATIVE_DOUBLE);
+  const Handle stored = compound(storage, storage.number), memory = compound(storage, H5T_NATIVE_DOUBLE);
   const Handle space(shape.empty() ? H5Screate(H5S_SCALAR)
                                    : H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr));
   const Handle set(H5Dcreate2(file, "frf", stored.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   ASSERT_TRUE(set);
-  if (H5Tget_class(of.number) == H5T_STRING || count == 0) return;
+  if (H5Tget_class(storage.number) == H5T_STRING || count == 0) return;
   ASSERT_GE(H5Dwrite(set.get(), memory.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
 }
 
 class Hdf5FrfLayout : public testing::Test {
  protected:
   template <class Add>
-  StoredFrfs read(const std::vector<hsize_t>& shape, Add&& add, const Complexes& of = {}) const {
+  StoredFrfs read(const std::vector<hsize_t>& shape, Add&& add, const ComplexStorage& storage = {}) const {
     {
       Hdf5Builder file(path_);
-      add_frf(file.id(), shape, of);
+      add_frf(file.id(), shape, storage);
       std::vector<double> freq_Hz(shape.empty() ? 0 : shape.back());
       std::iota(freq_Hz.begin(), freq_Hz.end(), 0);
       if (!shape.empty()) file.values("frequency_hz", {shape.back()}, freq_Hz);
@@ -67,12 +68,12 @@ class Hdf5FrfLayout : public testing::Test {
     }
     return read_frf_hdf5(path_).value();
   }
-  StoredFrfs read(const std::vector<hsize_t>& shape, const Complexes& of = {}) const {
+  StoredFrfs read(const std::vector<hsize_t>& shape, const ComplexStorage& storage = {}) const {
     return read(
-        shape, [](auto&) {}, of);
+        shape, [](auto&) {}, storage);
   }
-  std::string refusal(const std::vector<hsize_t>& shape, const Complexes& of = {}) const {
-    return input_error_of([&] { read(shape, of); });
+  std::string refusal(const std::vector<hsize_t>& shape, const ComplexStorage& storage = {}) const {
+    return input_error_of([&] { read(shape, storage); });
   }
   // For FRFs of two points, two channels and two lines.
   template <class Add>
@@ -196,7 +197,7 @@ TEST_F(Hdf5FrfLayout, ChecksDecayAndAverages) {
 // imaginary part k at 2 k + 1.
 void put_nan(hid_t file, std::size_t place) {
   const Handle set(H5Dopen2(file, "frf", H5P_DEFAULT));
-  const Handle memory = compound(Complexes{}, H5T_NATIVE_DOUBLE);
+  const Handle memory = compound(ComplexStorage{}, H5T_NATIVE_DOUBLE);
   std::array<double, 16> values{};
   values.at(place) = kNaN;
   ASSERT_GE(H5Dwrite(set.get(), memory.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);

@@ -3,7 +3,6 @@
 #include <sys/resource.h>
 
 #include <array>
-#include <cmath>
 #include <limits>
 
 #include "acquire/formats/hdf5/hdf5_handle.hpp"

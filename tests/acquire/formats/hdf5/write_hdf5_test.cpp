@@ -7,7 +7,6 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
-#include <limits>
 
 #include "acquire/formats/hdf5/read_hdf5.hpp"
 #include "acquire/formats/hdf5/write_hdf5.hpp"

@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
-#include <random>
 #include <utility>
 
 #include "acquire/channels/csv_columns.hpp"
@@ -34,8 +32,8 @@ using testing::IsEmpty;
 class MatRecord : public testing::Test {
  protected:
   Record opened(const ReadOptions& options = {}) const { return open_record(path_, options); }
-  acquire::FrfRecord frfs(const acquire::FrfReadOptions& options = {}) const {
-    return std::get<acquire::FrfRecord>(acquire::open_measurement(path_, options));
+  FrfRecord frfs(const FrfReadOptions& options = {}) const {
+    return std::get<FrfRecord>(open_measurement(path_, options));
   }
   test::ScratchFolder folder_;
   std::string path_ = folder_.file("r.mat");
@@ -224,7 +222,7 @@ TEST_F(MatRecord, RefusesContradictions) {
 TEST_F(MatRecord, GivesFrfsWithTheirFrequencies) {
   const std::vector<std::complex<double>> lines{{1, 2}, {3, 4}, {5, 6}, {7, 8}, {9, 10}, {11, 12}};
   MatBuilder(path_, MatLevel::v5).complex("H", {3, 2}, lines).numbers("freq", {3, 1}, {10, 20, 30});
-  const acquire::FrfRecord record = frfs();
+  const FrfRecord record = frfs();
   ASSERT_EQ(record.frfs.size(), 2U);
   EXPECT_EQ(record.lines.first, 1U);
   EXPECT_NEAR(record.lines.df_Hz(), 10, 1e-12);  // rounding, here and below
@@ -246,8 +244,8 @@ TEST_F(MatRecord, IsAmbiguousWithSeveralComplexArrays) {
       .complex("H1", {2, 1}, lines)
       .numbers("df", {1, 1}, {2})
       .numbers("chan_1", {4, 1}, {1, 2, 3, 4});
-  EXPECT_THROW(acquire::open_measurement(path_), AmbiguousColumns);
-  EXPECT_EQ(frfs({.kind = acquire::FrfKind::mobility}).kind, acquire::FrfKind::mobility);
+  EXPECT_THROW(open_measurement(path_), AmbiguousColumns);
+  EXPECT_EQ(frfs({.kind = FrfKind::mobility}).kind, FrfKind::mobility);
 }
 
 class MatWritten : public MatRecord {

@@ -7,6 +7,7 @@
 #include "core/units.hpp"
 #include "support/input_error.hpp"
 #include "support/mat_builder.hpp"
+#include "support/messages.hpp"
 #include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -50,10 +51,7 @@ TEST_F(MatResponse, IsReadFromVectorsAndMatrices) {
     ASSERT_EQ(matrix.accel.size(), 2U);
     EXPECT_THAT(accel_mps2(matrix, 0), ElementsAre(1, 2, 3, 4));
     EXPECT_THAT(accel_mps2(matrix, 1), ElementsAre(5, 6, 7, 8));
-    bool told = false;
-    for (const Message& note : matrix.notes)
-      told = told || note.text.find("2 channels of one row") != std::string::npos;
-    EXPECT_TRUE(told);
+    EXPECT_THAT(test::texts(matrix.notes), testing::Contains(testing::HasSubstr("2 channels of one row")));
     EXPECT_THAT(accel_mps2(opened({.accel_channels = {"2"}}), 0), ElementsAre(5, 6, 7, 8));
   }
 }

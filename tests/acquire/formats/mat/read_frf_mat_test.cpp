@@ -97,7 +97,7 @@ TEST(ReadFrfMat, ReadsKindAndUnitBesideTheFrfs) {
   const MatVariable freq = mat_numbers("freq", {1, 3}, {0, 1, 2});
   const StoredFrfs stated =
       read_frf_mat(mat_file_of({freq, complex("H", {1, 3}, {1, 2, 3}), mat_text("H_unit", "g/N")}), {}).value();
-  EXPECT_NEAR(stated.unit.value().response_to_SI, 9.80665, 1e-6);
+  EXPECT_EQ(stated.unit.value().response_to_SI, kStandardGravity_mps2);
   const StoredFrfs named = read_frf_mat(mat_file_of({freq, complex("mobility", {1, 3}, {1, 2, 3})}), {}).value();
   EXPECT_EQ(named.kind, FrfKind::mobility);
 }

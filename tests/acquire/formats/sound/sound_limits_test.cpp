@@ -18,7 +18,6 @@ namespace percuss::acquire::sound_limits_test {
 using test::accel_mps2;
 using test::force_N;
 using test::input_error_of;
-using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/units.hpp"
 #include "support/csv_text.hpp"
 #include "support/input_error.hpp"
 
@@ -74,7 +75,7 @@ TEST(ReadFrfText, TellsDecibelsHoweverTheyAreWritten) {
     const auto frfs = read("Frequency (Hz);" + std::string(name) + ";Phase (deg)\n0;0;0\n1;20;90\n2;40;-180\n");
     EXPECT_LE(std::abs(frfs.frfs[0].value[1] - Complex(0, 10)), kRounding * 10) << name;
     ASSERT_TRUE(frfs.unit) << name;
-    EXPECT_NEAR(frfs.unit->response_to_SI, 9.80665, 1e-6) << name;
+    EXPECT_EQ(frfs.unit->response_to_SI, kStandardGravity_mps2) << name;
   }
   const auto named = read("Freq;Mag_dB;Phase (deg)\n0;0;0\n1;20;90\n2;40;-180\n");
   EXPECT_LE(std::abs(named.frfs[0].value[2] - Complex(-100, 0)), kRounding * 100);
@@ -83,7 +84,7 @@ TEST(ReadFrfText, TellsDecibelsHoweverTheyAreWritten) {
 TEST(ReadFrfText, ReadsUnitsFromARowOfTheirOwn) {
   const auto frfs = read("Frequency,Magnitude,Phase\nHz,g/N,deg\n0,0,0\n1,10,90\n2,100,-180\n");
   EXPECT_LE(std::abs(frfs.frfs[0].value[1] - Complex(0, 10)), kRounding * 10);
-  EXPECT_NEAR(frfs.unit->response_to_SI, 9.80665, 1e-6);
+  EXPECT_EQ(frfs.unit->response_to_SI, kStandardGravity_mps2);
   EXPECT_THAT(frfs.record.notes, IsEmpty());
 }
 

@@ -107,18 +107,19 @@ class TraceLineFiles : public testing::Test {
 };
 
 TEST_F(TraceLineFiles, AreKeptByEveryFormatThatHoldsThem) {
-  for (const char* kind : {".h5", ".mat", ".uff", ".wav", ".rf64"}) {
-    const std::string path = folder_.file(std::string("r") + kind), again = folder_.file(std::string("s") + kind);
+  for (const char* extension : {".h5", ".mat", ".uff", ".wav", ".rf64"}) {
+    const std::string path = folder_.file(std::string("r") + extension),
+                      again = folder_.file(std::string("s") + extension);
     write_record(path, record_, false);
     const Record read = open_record(path);
-    EXPECT_EQ(read.trace_lines, record_.trace_lines) << kind;
-    ASSERT_EQ(read.geometry.size(), 4U) << kind;
-    EXPECT_TRUE(std::isnan(read.geometry[1][0])) << kind;
-    EXPECT_EQ(read.geometry[2], record_.geometry[2]) << kind;
-    EXPECT_EQ(open_record(path, {.sandboxed = true}).trace_lines, record_.trace_lines) << kind;
+    EXPECT_EQ(read.trace_lines, record_.trace_lines) << extension;
+    ASSERT_EQ(read.geometry.size(), 4U) << extension;
+    EXPECT_TRUE(std::isnan(read.geometry[1][0])) << extension;
+    EXPECT_EQ(read.geometry[2], record_.geometry[2]) << extension;
+    EXPECT_EQ(open_record(path, {.sandboxed = true}).trace_lines, record_.trace_lines) << extension;
     write_record(again, read, false);
-    EXPECT_TRUE(test::bytes_of(path) == test::bytes_of(again)) << kind;
-    EXPECT_THAT(losses_of(path, record_), testing::Each(testing::Not(HasSubstr("lines")))) << kind;
+    EXPECT_TRUE(test::bytes_of(path) == test::bytes_of(again)) << extension;
+    EXPECT_THAT(losses_of(path, record_), testing::Each(testing::Not(HasSubstr("lines")))) << extension;
   }
   EXPECT_THAT(losses_of("r.csv", record_), testing::Contains(HasSubstr("lines")));
 }
@@ -126,10 +127,10 @@ TEST_F(TraceLineFiles, AreKeptByEveryFormatThatHoldsThem) {
 TEST_F(TraceLineFiles, AreKeptWhenTheLastPointsHaveNoCoordinates) {
   record_.geometry.push_back({kNan, kNan, kNan});
   record_.trace_lines.push_back({3, 4});
-  for (const char* kind : {".h5", ".mat", ".wav"}) {
-    const std::string path = folder_.file(std::string("r") + kind);
+  for (const char* extension : {".h5", ".mat", ".wav"}) {
+    const std::string path = folder_.file(std::string("r") + extension);
     write_record(path, record_, false);
-    EXPECT_EQ(open_record(path).trace_lines, record_.trace_lines) << kind;
+    EXPECT_EQ(open_record(path).trace_lines, record_.trace_lines) << extension;
   }
   const std::string path = folder_.file("r.uff");
   write_record(path, record_, false);
