@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "cli/open_files.hpp"
+#include "cli/output.hpp"
 #include "cli/read_flags.hpp"
 #include "cli/shell_argument.hpp"
 #include "commands/commands.hpp"
