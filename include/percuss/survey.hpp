@@ -67,8 +67,8 @@ struct DrivingPoint {
 
 struct SurveyOptions {
   AnalysisOptions analysis{};
-  std::optional<Geometry> geometry{};  // default: the record's own
-  Roving roving = Roving::hammer;
+  std::optional<Geometry> geometry{};         // default: the record's own
+  std::optional<Roving> roving{};             // default: as the record states, else the hammer
   std::vector<DrivingPoint> driving_point{};  // default: the record's own, else points where a sensor sits
 };
 

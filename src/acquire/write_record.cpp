@@ -19,6 +19,13 @@ constexpr const char* kDrivingPlaces = "which points were struck beside a sensor
                    fmt::format("name a file that ends in {}", fmt::join(extensions, ", ")));
 }
 
+// No format has a place for what UFF states of directions; `test` is a Record or FrfRecord.
+template <class Test>
+void add_lost_directions(const Test& test, std::vector<std::string>& losses) {
+  if (!test.motions.empty()) losses.emplace_back("the directions of motion");
+  if (test.sensor_roves) losses.emplace_back("that the sensors moved and the hammer did not");
+}
+
 // Whether a channel has a name of its own: readers name a channel without one by its number.
 bool has_own_names(const std::vector<SignalInfo>& channels) {
   for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -48,6 +55,7 @@ std::vector<std::string> losses_of(const std::string& path, const Record& record
   auto losses = format->record_losses != nullptr ? format->record_losses(path, record) : std::vector<std::string>{};
   if (!record.trace_faces.empty() && !format->keeps_faces) losses.emplace_back("the faces between points");
   if (!record.driving.empty()) losses.emplace_back(kDrivingPlaces);
+  add_lost_directions(record, losses);
   const bool marked =
       std::any_of(record.rows.begin(), record.rows.end(), [](const RowInfo& row) { return row.mark != RowMark::none; });
   if (!format->keeps_marks && marked) losses.emplace_back("which blows were rejected while they were recorded");
@@ -61,6 +69,7 @@ std::vector<std::string> losses_of(const std::string& path, const FrfRecord& rec
   auto losses = format->frf_losses != nullptr ? format->frf_losses(record) : std::vector<std::string>{};
   if (has_own_names(record.accel)) losses.emplace_back("the channels' names");
   if (!record.driving.empty()) losses.emplace_back(kDrivingPlaces);
+  add_lost_directions(record, losses);
   if (format->keeps_frf_geometry) return losses;
   if (!record.geometry.empty()) losses.emplace_back("the geometry");
   if (!record.trace_lines.empty()) losses.emplace_back("the lines between points");

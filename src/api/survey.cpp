@@ -74,10 +74,9 @@ template <class Input>
 std::shared_ptr<const SurveyData> survey_data(Input input, const SurveyOptions& options) {
   const std::shared_ptr<const AnalysisData> analysis(
       new AnalysisData{pipeline::Analysis(std::move(input), analysis_options(options.analysis))});
-  pipeline::SurveyOptions its{
-      .geometry = std::nullopt,
-      .roving = options.roving == Roving::sensor ? identify::Roving::sensor : identify::Roving::hammer,
-      .driving = {}};
+  pipeline::SurveyOptions its;
+  if (options.roving)
+    its.roving = *options.roving == Roving::sensor ? identify::Roving::sensor : identify::Roving::hammer;
   if (options.geometry) its.geometry = internal_geometry(*options.geometry);
   for (const DrivingPoint& at : options.driving_point)
     its.driving.push_back({.point = at.point, .channel = at.channel});

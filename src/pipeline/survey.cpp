@@ -12,6 +12,7 @@
 #include "core/units.hpp"
 #include "identify/classify/asymmetry_split.hpp"
 #include "identify/start/cmif.hpp"
+#include "pipeline/radial_shape.hpp"
 #include "pipeline/survey_geometry.hpp"
 #include "pipeline/warnings/ranking.hpp"
 #include "pipeline/warnings/reference_warnings.hpp"
@@ -62,9 +63,21 @@ std::optional<identify::PatternPlane> plane_of(const std::optional<identify::Tub
 Survey::Survey(const Analysis& analysis, SurveyOptions options)
     : analysis_(analysis),
       options_(std::move(options)),
+      roving_(options_.roving.value_or(analysis.record().sensor_roves ? identify::Roving::sensor
+                                                                      : identify::Roving::hammer)),
       geometry_(options_.geometry ? options_.geometry : acquire::geometry_of_record(analysis.record().geometry)) {
   place_points();
   find_driving_points();
+}
+
+int Survey::place_of(std::size_t point) const {
+  return acquire::place_of_point(analysis_.record().motions, static_cast<int>(point));
+}
+
+std::set<int> Survey::places() const {
+  std::set<int> out;
+  for (const int point : analysis_.points()) out.insert(place_of(static_cast<std::size_t>(point)));
+  return out;
 }
 
 bool Survey::is_tube() const {
@@ -75,7 +88,8 @@ void Survey::place_points() {
   if (!geometry_) return;
   std::vector<std::size_t> stated;
   for (const identify::DrivingPoint& at : options_.driving) stated.push_back(at.point);
-  if (options_.geometry) geometry_warnings_ = match_point_numbers(*geometry_, analysis_.points(), stated);
+  const std::set<int> measured = places();
+  if (options_.geometry) geometry_warnings_ = match_point_numbers(*geometry_, measured, stated);
   for (const acquire::GeometryPoint& p : geometry_->points) {
     if (is_tube()) tube_places_[static_cast<std::size_t>(p.point)] = {p.position_m, p.angle_rad};
   }
@@ -84,7 +98,6 @@ void Survey::place_points() {
   };
   add(narrow_arc(*geometry_));
   if (!options_.geometry) return;
-  const std::set<int> measured = analysis_.points();
   require_points(*geometry_, measured,
                  options_.geometry_source.empty() ? analysis_.record().source() : options_.geometry_source);
   add(missing_points(*geometry_, measured, analysis_.record().files.size()));
@@ -108,7 +121,7 @@ void Survey::find_driving_points() {
         driving_.push_back({.point = static_cast<std::size_t>(at.point), .channel = at.channel});
     }
   }
-  if (!driving_.empty() || options_.roving != identify::Roving::hammer) return;
+  if (!driving_.empty() || roving_ != identify::Roving::hammer) return;
   for (const auto& [point, place] : tube_places_) {
     for (std::size_t c = 0; c < accel.size(); ++c) {
       if (!accel[c].position_m || !accel[c].angle_rad || !points.contains(static_cast<int>(point))) continue;
@@ -126,7 +139,7 @@ const std::vector<identify::ModeShape>& Survey::shapes() const {
       std::vector<identify::ModeShape> shapes;
       shapes.reserve(modes.size());
       for (const identify::Mode& mode : modes)
-        shapes.push_back(identify::shape_of(mode, {.roving = options_.roving, .driving = driving_}));
+        shapes.push_back(identify::shape_of(mode, {.roving = roving_, .driving = driving_}));
       return shapes;
     });
   });
@@ -135,7 +148,7 @@ const std::vector<identify::ModeShape>& Survey::shapes() const {
 const std::vector<std::optional<identify::TubeShape>>& Survey::tubes() const {
   return within_budget(analysis_.budget(), tubes_, [&] {
     std::vector<std::optional<identify::TubeShape>> tubes;
-    for (const identify::ModeShape& shape : shapes()) tubes.push_back(identify::tube_shape(shape, tube_places_));
+    for (const identify::ModeShape& shape : shapes()) tubes.push_back(shape_on_tube(shape));
     return tubes;
   });
 }
@@ -144,13 +157,20 @@ const std::vector<identify::ModeClassification>& Survey::classifications() const
   return within_budget(analysis_.budget(), classifications_, [&] { return classify_by_shapes(); });
 }
 
+std::optional<identify::TubeShape> Survey::shape_on_tube(const identify::ModeShape& shape) const {
+  const acquire::Record& record = analysis_.record();
+  const bool stated = record.sensor_roves == (roving_ == identify::Roving::sensor) && !record.motions.empty();
+  if (!stated || tube_places_.empty()) return identify::tube_shape(shape, tube_places_);
+  return identify::tube_shape(radial_shape(shape, record.motions, *geometry_), tube_places_);
+}
+
 // The orders below the band. The modes there are classified by their shapes, where they have one on the tube.
 identify::LowerOrders Survey::lower_orders(const std::vector<identify::ModeClassification>& found) const {
   const std::vector<identify::Mode>& below = analysis_.modes_below();
   std::vector<identify::ModeClassification> types(below.size());
   for (std::size_t m = 0; m < below.size(); ++m) {
-    const identify::ModeShape shape = identify::shape_of(below[m], {.roving = options_.roving, .driving = driving_});
-    if (const auto tube = identify::tube_shape(shape, tube_places_)) classify_by_tube(types[m], *tube);
+    const identify::ModeShape shape = identify::shape_of(below[m], {.roving = roving_, .driving = driving_});
+    if (const auto tube = shape_on_tube(shape)) classify_by_tube(types[m], *tube);
   }
   return identify::lower_orders(below, types, analysis_.modes(), found, analysis_.options().classes);
 }
@@ -221,7 +241,7 @@ std::vector<Warning> Survey::warnings() const {
   const SurveyResults results{.accel = analysis_.record().accel,
                               .modes = analysis_.modes(),
                               .has_geometry = geometry_.has_value(),
-                              .roving = options_.roving,
+                              .roving = roving_,
                               .shapes = shapes(),
                               .tubes = tubes(),
                               .classifications = classifications(),

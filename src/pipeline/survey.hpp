@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,8 +19,8 @@
 namespace percuss::pipeline {
 
 struct SurveyOptions {
-  std::optional<acquire::Geometry> geometry;  // default: the record's own
-  identify::Roving roving = identify::Roving::hammer;
+  std::optional<acquire::Geometry> geometry;    // default: the record's own
+  std::optional<identify::Roving> roving{};     // default: as the record states, else the hammer
   std::vector<identify::DrivingPoint> driving;  // empty: those of the record, else points of a tube with a sensor
   std::string geometry_source{};                // file of the geometry, for messages; empty: none
 };
@@ -35,8 +36,15 @@ class Survey {
   const SurveyOptions& options() const { return options_; }
   const std::optional<acquire::Geometry>& geometry() const { return geometry_; }
   const std::vector<identify::DrivingPoint>& driving_points() const { return driving_; }
+  identify::Roving roving() const { return roving_; }
+  /// The numbers of the places of the measured points: several points are at one place that was struck in several
+  /// directions.
+  std::set<int> places() const;
+  /// The place of a point in the geometry.
+  int place_of(std::size_t point) const;
 
-  const std::vector<identify::ModeShape>& shapes() const;  // [modes]
+  /// [modes]; a value is positive along the positive direction that the record states, if any.
+  const std::vector<identify::ModeShape>& shapes() const;
   /// [modes]; nothing where the geometry is no tube.
   const std::vector<std::optional<identify::TubeShape>>& tubes() const;
   /// From the shapes where they decide, else from two sensors as Analysis::classifications().
@@ -56,11 +64,13 @@ class Survey {
   bool is_tube() const;
   void place_points();
   void find_driving_points();
+  std::optional<identify::TubeShape> shape_on_tube(const identify::ModeShape& shape) const;
   std::vector<identify::ModeClassification> classify_by_shapes() const;
   identify::LowerOrders lower_orders(const std::vector<identify::ModeClassification>& found) const;
 
   const Analysis& analysis_;
   SurveyOptions options_;
+  identify::Roving roving_;
   std::optional<acquire::Geometry> geometry_;
   std::vector<Warning> geometry_warnings_;
   identify::TubeGeometry tube_places_;

@@ -25,7 +25,7 @@ Nodes nodes_of(const identify::ModeShape& shape, const PlotMesh* mesh, const pip
   Nodes out;
   for (const identify::ShapePlace& place : shape.places) {
     const auto normal = response_direction(mesh, survey, analysis, place.point, place.channel, at_sensors);
-    Vector& value = out[static_cast<int>(place.point) + offset];
+    Vector& value = out[acquire::place_of_point(analysis.record().motions, static_cast<int>(place.point)) + offset];
     for (std::size_t i = 0; i < 3; ++i) value[i] += place.value * normal[i];
   }
   return out;
@@ -140,18 +140,18 @@ void write_shapes(const std::string& path, const pipeline::Survey* survey, const
 }  // namespace
 
 void write_modes_uff(const std::string& path, const pipeline::Survey& survey, bool force) {
-  const bool sensors = survey.options().roving == identify::Roving::sensor;
+  const bool sensors = survey.roving() == identify::Roving::sensor;
   write_shapes(path, &survey, survey.analysis(), survey.shapes(), sensors, force);
 }
 
 void write_modes_uff(const std::string& path, const pipeline::Analysis& analysis, bool force) {
-  const bool one_point = analysis.frf_points().size() == 1;
+  const bool sensors = analysis.frf_points().size() == 1 || analysis.record().sensor_roves;
   std::vector<identify::ModeShape> shapes;
   for (const identify::Mode& mode : analysis.modes()) {
     shapes.push_back(
-        identify::shape_of(mode, {.roving = one_point ? identify::Roving::sensor : identify::Roving::hammer}));
+        identify::shape_of(mode, {.roving = sensors ? identify::Roving::sensor : identify::Roving::hammer}));
   }
-  write_shapes(path, nullptr, analysis, shapes, one_point, force);
+  write_shapes(path, nullptr, analysis, shapes, sensors, force);
 }
 
 }  // namespace percuss::report

@@ -183,6 +183,31 @@ TEST_F(BarrelSurvey, LeavesModeTypesUnknownWithoutAGeometry) {
   EXPECT_THAT(survey.warnings(), Contains(Field(&Warning::code, "no_geometry")));
 }
 
+TEST_F(BarrelSurvey, TakesWhatMovedFromTheRecord) {
+  acquire::Record record = made_->record;
+  record.sensor_roves = true;
+  const Analysis analysis(record, in_band());
+  EXPECT_EQ(Survey(analysis, {}).roving(), identify::Roving::sensor);
+  EXPECT_EQ(Survey(analysis, {.roving = identify::Roving::hammer}).roving(), identify::Roving::hammer);
+  EXPECT_EQ(survey_->roving(), identify::Roving::hammer);
+}
+
+// A point struck in a further direction lies at the place of another point.
+TEST_F(BarrelSurvey, PlacesSeveralPointsAtOnePlace) {
+  acquire::Record record = made_->record;
+  for (acquire::RowInfo& row : record.rows) {
+    if (row.point == 7) row.point = 107;
+  }
+  const Analysis unplaced(record, in_band());
+  EXPECT_THAT(test::input_error_of([&] { const Survey survey(unplaced, {.geometry = survey_->geometry()}); }),
+              HasSubstr("the geometry lacks point 107"));
+  record.motions.push_back({.point = 107, .place = 7});
+  const Analysis analysis(record, in_band());
+  const Survey survey(analysis, {.geometry = survey_->geometry()});
+  EXPECT_EQ(survey.place_of(107), 7);
+  EXPECT_EQ(survey.places().size(), 40U);
+}
+
 TEST_F(BarrelSurvey, RefusesPointsThatTheGeometryLacks) {
   acquire::Geometry geometry = *survey_->geometry();
   geometry.points.erase(geometry.points.begin());

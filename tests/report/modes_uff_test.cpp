@@ -1,14 +1,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "acquire/formats/uff/uff_file.hpp"
 #include "support/csv_text.hpp"
+#include "support/json.hpp"
+#include "support/json_schema.hpp"
+#include "support/modal_frfs.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/small_records.hpp"
 #include "support/synthetic_files.hpp"
+#include "support/uff_text.hpp"
 
 namespace percuss::report::modes_uff_test {
 
@@ -64,6 +71,154 @@ TEST(ModesUff, ContainsEachModeAs55AndAs2414) {
   EXPECT_NEAR(record12[1], 200, kFitted_Hz);
   EXPECT_NEAR(record12[4] / 0.01, 1, kFitted);
   EXPECT_EQ(now.back(), old.back());
+}
+
+// A mode at 200 Hz of four nodes, the corners of a square: components along x, y and z, in 1/√kg.
+constexpr std::array<std::array<double, 3>, 4> kMotion{
+    {{0.1, -0.4, 0.9}, {-0.6, 0.3, -0.5}, {0.7, 0.2, -0.35}, {-0.15, -0.8, 0.55}}};
+const std::string kSquare =
+    "    -1\n    15\n"
+    "         1         0         0         0  0.00000E+00  0.00000E+00  0.00000E+00\n"
+    "         2         0         0         0  1.00000E+00  0.00000E+00  0.00000E+00\n"
+    "         3         0         0         0  1.00000E+00  1.00000E+00  0.00000E+00\n"
+    "         4         0         0         0  0.00000E+00  1.00000E+00  0.00000E+00\n    -1\n";
+
+// Node, from 1, and direction ±1 … ±3.
+struct Dof {
+  int node, direction;
+};
+
+double component(const Dof& at) {
+  return (at.direction < 0 ? -1 : 1) *
+         kMotion.at(static_cast<std::size_t>(at.node - 1)).at(static_cast<std::size_t>(std::abs(at.direction) - 1));
+}
+
+std::string frf_between(const Dof& response, const Dof& reference) {
+  constexpr std::size_t kLines = 400;
+  const test::UffText set{.type = 4,
+                          .response_node = response.node,
+                          .response_direction = response.direction,
+                          .reference_node = reference.node,
+                          .reference_direction = reference.direction,
+                          .ordinate_type = 5,
+                          .values = kLines,
+                          .dx = "  1.00000E+00",
+                          .abscissa = 18,
+                          .denominator = 13,
+                          .ordinate_unit = "m/s^2",
+                          .denominator_unit = "N"};
+  const identify::Pole pole{.freq_Hz = 200, .damping_ratio = 0.01};
+  std::string numbers;
+  for (std::size_t k = 0; k < kLines; ++k) {
+    const Complex h = component(response) * component(reference) *
+                      test::mode_accelerance(pole, Complex(0, 2 * M_PI * static_cast<double>(k)));
+    numbers += fmt::format("{:13.5E}{:13.5E}{}", h.real(), h.imag(), k % 3 == 2 ? "\n" : "");
+  }
+  return set.text(numbers + "\n");
+}
+
+// The motion of each node in the first mode of a written file.
+std::map<int, std::array<double, 3>> motion_in(const std::string& path) {
+  std::map<int, std::array<double, 3>> out;
+  const FileBytes bytes = csv_bytes(test::bytes_of(path));
+  for (const acquire::UffSet& set : acquire::split_uff(bytes)) {
+    if (set.number != 55 || !out.empty()) continue;
+    const auto lines = lines_of_set(set);
+    for (std::size_t i = 8; i + 1 < lines.size(); i += 2) {
+      const auto numbers = numbers_in(lines[i + 1]);
+      out[std::stoi(std::string(lines[i]))] = {numbers.at(0), numbers.at(2), numbers.at(4)};
+    }
+  }
+  return out;
+}
+
+// Survey of a file of FRFs between these degrees of freedom: the motion in its file of shapes, and its document.
+class StatedDirections : public testing::Test {
+ protected:
+  static constexpr double kWithin = 1e-4;  // six digits of the FRFs in the file
+
+  nlohmann::json survey(const std::vector<std::pair<Dof, Dof>>& pairs) {
+    std::string text = kSquare;
+    for (const auto& [response, reference] : pairs) text += frf_between(response, reference);
+    test::write_bytes(folder_.file("frf.uff"), text);
+    const auto outcome = run_percuss(
+        {"survey", folder_.file("frf.uff"), "--band", "150:250", "--json", "--force", "-o", folder_.file("modes.uff")});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    motion_ = motion_in(folder_.file("modes.uff"));
+    const auto document = test::parse_json(outcome.out);
+    EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), testing::IsEmpty());
+    return document;
+  }
+  test::ScratchFolder folder_;
+  std::map<int, std::array<double, 3>> motion_;
+};
+
+TEST_F(StatedDirections, MoveTheNodesOfARovingHammer) {
+  const Dof sensor{1, 3};
+  const auto document = survey({{sensor, {1, 3}}, {sensor, {2, -1}}, {sensor, {3, 2}}, {sensor, {4, -3}}});
+  EXPECT_EQ(document["roving"], "hammer");
+  EXPECT_EQ(document["motion"][1], nlohmann::json::parse(R"({"point": 2, "place": 2, "direction": [1.0, 0.0, 0.0]})"));
+  EXPECT_NEAR(document["modes"][0]["shape"]["modal_mass_kg"].get<double>(), 1 / (0.9 * 0.9), kWithin);
+  const std::map<int, std::array<double, 3>> expected{
+      {1, {0, 0, 0.9}}, {2, {-0.6, 0, 0}}, {3, {0, 0.2, 0}}, {4, {0, 0, 0.55}}};
+  ASSERT_EQ(motion_.size(), 4U);
+  for (const auto& [node, motion] : expected) {
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(motion_[node].at(i), motion.at(i), kWithin) << node << " " << i;
+  }
+}
+
+TEST_F(StatedDirections, MoveTheNodesOfHammersInThreeDirections) {
+  std::vector<std::pair<Dof, Dof>> pairs;
+  for (int node = 1; node <= 4; ++node) {
+    for (const int direction : {1, -2, 3}) {
+      pairs.push_back({{1, 3}, {node, direction}});
+      pairs.push_back({{3, -1}, {node, direction}});
+    }
+  }
+  const auto document = survey(pairs);
+  EXPECT_EQ(document["modes"][0]["shape"]["values"].size(), 12U);
+  EXPECT_NEAR(document["modes"][0]["shape"]["modal_mass_kg"].get<double>(), 1 / (0.9 * 0.9), kWithin);
+  ASSERT_EQ(motion_.size(), 4U);
+  for (const auto& [node, motion] : motion_) {
+    const auto& expected = kMotion.at(static_cast<std::size_t>(node - 1));
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(motion.at(i), expected.at(i), kWithin) << node << " " << i;
+  }
+}
+
+TEST_F(StatedDirections, MoveTheNodesOfARovingTriaxialSensor) {
+  std::vector<std::pair<Dof, Dof>> pairs;
+  for (int node = 1; node <= 4; ++node) {
+    for (const int direction : {1, 2, -3}) pairs.push_back({{node, direction}, {1, -3}});
+  }
+  const auto document = survey(pairs);
+  EXPECT_EQ(document["roving"], "sensor");
+  EXPECT_NEAR(document["modes"][0]["shape"]["modal_mass_kg"].get<double>(), 1 / (0.9 * 0.9), kWithin);
+  ASSERT_EQ(motion_.size(), 4U);
+  for (const auto& [node, motion] : motion_) {
+    const auto& expected = kMotion.at(static_cast<std::size_t>(node - 1));
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(motion.at(i), expected.at(i), kWithin) << node << " " << i;
+  }
+}
+
+// Sensors without an angle, whose directions the set-up states; also where a process of its own reads the file.
+TEST_F(StatedDirections, AreThoseOfTheSetUp) {
+  const test::SmallRecord one = test::small_record();
+  std::vector<double> half;
+  for (const double a : one.accel_mps2) half.push_back(a / 2);
+  test::write_columns(folder_.file("two.csv"), "time_s,force_N,a_mps2,b_mps2",
+                      {one.time_s, one.force_N, one.accel_mps2, half});
+  ASSERT_EQ(run_percuss({"convert", folder_.file("two.csv"), folder_.file("two.h5")}).code, 0);
+  test::write_bytes(folder_.file("setup.json"), R"([{"name": "accel 1", "direction": "-x"},
+                                                   {"name": "accel 2", "direction": "+z"}])");
+  const auto outcome = run_percuss({"analyze", folder_.file("two.h5"), "--setup", folder_.file("setup.json"), "--band",
+                                    "60:1000", "-o", folder_.file("modes.uff")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  auto motion = motion_in(folder_.file("modes.uff"));
+  ASSERT_EQ(motion.size(), 1U);
+  const auto& [x, y, z] = motion[1];
+  EXPECT_NEAR(std::abs(x), 1, kWithin);
+  EXPECT_EQ(y, 0);
+  EXPECT_NEAR(z / x, -0.5, kWithin);
 }
 
 }  // namespace percuss::report::modes_uff_test

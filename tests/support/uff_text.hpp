@@ -10,7 +10,7 @@ namespace percuss::test {
 struct UffText {
   int type = 1;
   std::string response = "NONE", reference = "NONE";
-  int response_node = 1, response_direction = 3, reference_node = 1, reference_direction = -3;
+  int response_node = 1, response_direction = 3, reference_node = 1, reference_direction = 3;
   int ordinate_type = 2;
   std::size_t values = 0;
   int spacing = 1;

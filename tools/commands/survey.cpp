@@ -31,7 +31,7 @@ struct SurveyFlags {
   OutputFlags output;
   std::string geometry_path;
   std::vector<std::string> pictures{"shapes"};
-  std::string roving = "hammer";
+  std::string roving;
   std::vector<std::string> driving;
   bool hits = false;
   bool trace = false;
@@ -55,8 +55,9 @@ identify::DrivingPoint parse_driving(const std::string& text) {
 }
 
 pipeline::SurveyOptions survey_options(const SurveyFlags& flags) {
-  pipeline::SurveyOptions options{.roving =
-                                      flags.roving == "sensor" ? identify::Roving::sensor : identify::Roving::hammer};
+  pipeline::SurveyOptions options;
+  if (!flags.roving.empty())
+    options.roving = flags.roving == "sensor" ? identify::Roving::sensor : identify::Roving::hammer;
   for (const std::string& text : flags.driving) options.driving.push_back(parse_driving(text));
   if (!flags.geometry_path.empty()) {
     options.geometry = acquire::read_geometry(flags.geometry_path);
@@ -199,9 +200,10 @@ void add_survey(CommandLine& line) {
       .value("--geometry", flags->geometry_path,
              "Read the geometry from this file, a CSV as --example prints it (default: from the record)")
       .type("FILE");
-  command.value("--roving", flags->roving, "Choose what moved from point to point")
-      .one_of({"hammer", "sensor"})
-      .show_default();
+  command
+      .value("--roving", flags->roving,
+             "Choose what moved from point to point (default: as the file states, else hammer)")
+      .one_of({"hammer", "sensor"});
   command
       .list("--driving-point", flags->driving,
             "Name driving points: a point struck beside the sensor of a channel, by the point's number and the "

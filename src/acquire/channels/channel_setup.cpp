@@ -92,18 +92,24 @@ std::string read_role(const Entry& entry) {
                    "use force, acceleration or ignore");
 }
 
-double read_sign(const Entry& entry) {
+// Sets the sign, and the axis where a direction states it.
+void read_direction(const Entry& entry, ChannelSetup& setup) {
   const auto direction = entry.text("direction");
   if (direction && entry.has("sign")) throw InputError("sign and direction are both given", entry.where(), "keep one");
   if (direction) {
     const bool signed_axis = direction->size() == 2 && (direction->front() == '+' || direction->front() == '-');
-    if (signed_axis && direction->back() >= 'x' && direction->back() <= 'z') return direction->front() == '-' ? -1 : 1;
-    throw InputError("unknown direction \"" + one_line(*direction, 40) + "\"", entry.where("direction"),
-                     "use +x, -x, +y, -y, +z or -z");
+    if (!signed_axis || direction->back() < 'x' || direction->back() > 'z') {
+      throw InputError("unknown direction \"" + one_line(*direction, 40) + "\"", entry.where("direction"),
+                       "use +x, -x, +y, -y, +z or -z");
+    }
+    setup.sign = direction->front() == '-' ? -1 : 1;
+    setup.axis = Direction{};
+    setup.axis->at(static_cast<std::size_t>(direction->back() - 'x')) = 1;
+    return;
   }
-  const double sign = entry.number("sign", -1, 1).value_or(1);
-  if (sign == 1 || sign == -1) return sign;
-  throw InputError(fmt::format("{:g} is not a sign", sign), entry.where("sign"), "give 1 or -1");
+  setup.sign = entry.number("sign", -1, 1).value_or(1);
+  if (setup.sign != 1 && setup.sign != -1)
+    throw InputError(fmt::format("{:g} is not a sign", setup.sign), entry.where("sign"), "give 1 or -1");
 }
 
 // Volts per SI unit, and the quantity of that unit.
@@ -155,7 +161,7 @@ ChannelSetup read_entry(const Json& json, std::size_t index, const std::string& 
   ChannelSetup setup;
   setup.name = entry.name();
   setup.role = read_role(entry);
-  setup.sign = read_sign(entry);
+  read_direction(entry, setup);
   if (const auto angle_deg = entry.number("angle_deg", -360, 360)) setup.angle_rad = *angle_deg * kDegree_rad;
   setup.position_m = entry.number("position_m", -1000, 1000);
   if (const auto sensitivity = read_sensitivity(entry, setup.role)) {

@@ -43,6 +43,7 @@ SignalOverrides from_setup(const ChannelSetup* setup) {
           .sensitivity_to = setup->sensitivity_to,
           .unit = setup->unit.value_or(""),
           .sign = setup->sign,
+          .axis = setup->axis,
           .angle_rad = setup->angle_rad,
           .position_m = setup->position_m};
 }
@@ -155,6 +156,7 @@ void apply_overrides(SignalInfo& signal, const SignalOverrides& choice, Quantity
   }
   signal.to_SI *= choice.sign;
   signal.measures = measures;
+  if (choice.axis) signal.axis = choice.axis;
   if (choice.angle_rad) signal.angle_rad = choice.angle_rad;
   if (choice.position_m) signal.position_m = choice.position_m;
 }

@@ -16,6 +16,7 @@ struct SignalOverrides {
   Quantity sensitivity_to = Quantity::acceleration;
   std::string unit;  // of the stored numbers
   double sign = 1;
+  std::optional<Direction> axis{};
   std::optional<double> angle_rad, position_m;
 };
 
@@ -43,8 +44,8 @@ void note_other_rate(const std::string& source, double file_Hz, double stated_Hz
 /// microphone); else an acceleration. FRFs of a pressure have other units than percuss states.
 Quantity response_quantity(const SignalInfo& signal, const SignalOverrides& choice, bool has_force);
 
-/// Applies the statements: sets the signal's unit, to_SI, angle_rad, position_m and measures. Where neither the file
-/// (signal.unit) nor the user states a unit, it is V with a sensitivity, else the SI unit of `measures`.
+/// Applies the statements: sets the signal's unit, to_SI, axis, angle_rad, position_m and measures. Where neither the
+/// file (signal.unit) nor the user states a unit, it is V with a sensitivity, else the SI unit of `measures`.
 /// errors  InputError at `where`: unknown unit, a unit of another quantity, volts without sensitivity, a sensitivity
 /// for another unit than volts or to another quantity, a scale or sensitivity that is zero or not finite.
 void apply_overrides(SignalInfo& signal, const SignalOverrides& choice, Quantity measures, const std::string& where);

@@ -62,7 +62,11 @@ SignalInfo described_signal(const SignalTable& table, std::size_t index) {
   const TableSignal& signal = table.signals[index];
   // Where the file states the scale of the numbers, they are not in the unit of the name.
   const std::string unit = signal.unit.empty() && !signal.to_SI ? unit_in_name(signal.name) : signal.unit;
-  return {.name = signal.name, .unit = unit, .angle_rad = signal.angle_rad, .position_m = signal.position_m};
+  return {.name = signal.name,
+          .unit = unit,
+          .angle_rad = signal.angle_rad,
+          .position_m = signal.position_m,
+          .axis = signal.axis};
 }
 
 // Completes a signal without a stated unit: takes the scale of the file's own system of units, or assumes SI where the
@@ -163,6 +167,9 @@ Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOp
   record.trace_lines = std::move(table.trace_lines);
   record.trace_faces = std::move(table.trace_faces);
   record.driving = driving_at(table.driving, roles.accel);
+  record.sensor_roves = table.sensor_roves;
+  record.motions = table.sensor_roves ? motions_at(table.motions, roles.accel) : std::move(table.motions);
+  sort_motions(record.motions);
   record.files = table.files;
   record.format = table.format;
   record.rows = table.rows;
@@ -182,7 +189,10 @@ Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOp
   };
   if (!record.has_force) record.read_force_N = no_force();
   record.read_accel_mps2 = [open](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
-    read_table(*open, row, open->roles.accel.at(channel), open->accel_to_mps2.at(channel), first, out);
+    const std::size_t signal = open->roles.accel.at(channel);
+    const auto& sign = open->table.sign_of_directions;
+    const double factor = open->accel_to_mps2.at(channel) * (sign ? sign(open->roles, row, signal) : 1);
+    read_table(*open, row, signal, factor, first, out);
   };
   return record;
 }

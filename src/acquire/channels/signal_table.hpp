@@ -20,7 +20,10 @@ struct TableSignal {
   // Quantity and factor, where the file states them by other means than a unit.
   std::optional<Quantity> measures{};
   std::optional<double> to_SI{};
+  std::optional<Direction> axis{};
 };
+
+struct SignalRoles;
 
 /// Signals sampled together, from the reader of any format. find_roles assigns the force and the accelerations by the
 /// same rules for every format.
@@ -35,9 +38,14 @@ struct SignalTable {
   std::vector<TraceLine> trace_lines;
   std::vector<TraceFace> trace_faces{};
   std::vector<DrivingPlace> driving{};  // with indices of signals in place of channels
+  std::vector<PointMotion> motions{};   // likewise where the sensors roved
+  bool sensor_roves = false;
   std::vector<Message> notes;
   /// Stored numbers first … first + out.size() − 1 of a row's signal. Several threads may call at once.
   std::function<void(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out)> read;
+  /// The sign, 1 or −1, of a row's acceleration for a force and a motion in positive directions, where the file states
+  /// directions; may be empty.
+  std::function<double(const SignalRoles& roles, std::size_t row, std::size_t signal)> sign_of_directions{};
 };
 
 /// Indices of the signals that are the force and the accelerations.

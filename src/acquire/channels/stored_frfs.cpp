@@ -125,12 +125,14 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
     signal.to_SI = choice.sign * response_factor(choice, stored, record.kind, where) / force_to_SI;
     if (!std::isfinite(signal.to_SI) || signal.to_SI == 0)
       throw InputError("the scale is zero or not finite", where, "give a finite scale other than zero");
+    if (choice.axis) signal.axis = choice.axis;
     if (choice.angle_rad) signal.angle_rad = choice.angle_rad;
     if (choice.position_m) signal.position_m = choice.position_m;
     accel.push_back(std::move(signal));
   }
   record.accel = std::move(accel);
   record.driving = driving_at(record.driving, channels);
+  if (record.sensor_roves) record.motions = motions_at(record.motions, channels);
   for (StoredFrf& frf : stored.frfs) {
     const auto place = std::find(channels.begin(), channels.end(), frf.channel);
     if (place == channels.end()) continue;
@@ -143,6 +145,11 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
         "the phase rises through the resonances: the FRFs may be for exp(−jωt), but percuss needs exp(+jωt); if so, "
         "give their complex conjugates");
   }
+  if (force.axis && record.motions.empty() && !record.sensor_roves) {
+    for (const PointFrf& one : record.frfs)
+      record.motions.push_back({.point = one.point, .place = one.point, .along = force.axis});
+  }
+  sort_motions(record.motions);
   std::stable_sort(record.frfs.begin(), record.frfs.end(), [](const PointFrf& a, const PointFrf& b) {
     return a.point != b.point ? a.point < b.point : a.channel < b.channel;
   });

@@ -21,6 +21,7 @@ FrfRecord join_frfs(std::vector<FrfRecord> records) {
   if (records.empty()) throw InputError("nothing to join", "no files", "name at least one file");
   FrfRecord out = std::move(records.front());
   std::vector<NotesOfFile> notes{{input_name_of(out), out.notes}};
+  std::vector<Message> notes_of_all;
   for (std::size_t r = 1; r < records.size(); ++r) {
     FrfRecord& next = records[r];
     const bool spaced = std::abs(next.lines.df_Hz() / out.lines.df_Hz() - 1) <= kSameSpacing;
@@ -42,12 +43,14 @@ FrfRecord join_frfs(std::vector<FrfRecord> records) {
       out.frfs.push_back(std::move(frf));
     }
     for (const DrivingPlace& at : next.driving) out.driving.push_back({at.point + after, at.channel});
+    join_motions(after, next, out, notes_of_all);
     notes.push_back({input_name_of(next), next.notes});
     out.files.insert(out.files.end(), next.files.begin(), next.files.end());
     if (next.format != out.format) out.format = "several";
     if (next.estimator != out.estimator) out.estimator.clear();
   }
   out.notes = joined_notes(notes);
+  out.notes.insert(out.notes.end(), notes_of_all.begin(), notes_of_all.end());
   return out;
 }
 

@@ -30,6 +30,8 @@ struct FrfRecord {
   std::vector<TraceLine> trace_lines;         // likewise
   std::vector<TraceFace> trace_faces;         // likewise
   std::vector<DrivingPlace> driving;          // likewise
+  std::vector<PointMotion> motions;           // likewise
+  bool sensor_roves = false;                  // likewise
   double decay_per_s = 0;                     // of the exponential window that the file states for force and response
   std::vector<Message> notes;                 // what was assumed, one line each
   /// As Record::source().

@@ -44,6 +44,17 @@ void note_other_names(const Record& first, const Record& other, std::vector<Mess
   for (std::size_t c = 0; c < first.accel.size(); ++c) compare(first.accel[c], other.accel[c]);
 }
 
+// Hits in different directions at one point are different degrees of freedom, which no average may mix.
+void require_one_direction(const Record& before, const Record& record) {
+  if (before.sensor_roves != record.sensor_roves) return;
+  for (const PointMotion& motion : record.motions) {
+    const PointMotion* const known = find_motion(before.motions, motion.point, motion.channel);
+    if (known == nullptr || move_alike({motion}, {*known})) continue;
+    throw InputError(fmt::format("another direction at point {} than in the files before", motion.point),
+                     record.source(), "analyse the file alone, or take each file as further points", {"files"});
+  }
+}
+
 // A file without point numbers is one point. The next file's points follow the points of the files before it.
 int number_of_points(const Record& record) {
   int last = 0;
@@ -97,6 +108,10 @@ Record join_records(std::vector<Record> records, FileGrouping grouping) {
     if (grouping == FileGrouping::points && r > 0) {
       for (const DrivingPlace& at : record.driving)
         out.driving.push_back({at.point + static_cast<int>(points), at.channel});
+    }
+    if (r > 0) {
+      if (grouping != FileGrouping::points) require_one_direction(out, record);
+      join_motions(grouping == FileGrouping::points ? static_cast<int>(points) : 0, record, out, out.notes);
     }
     points += number_of_points(record);
     out.files.insert(out.files.end(), record.files.begin(), record.files.end());

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "acquire/record/point_motion.hpp"
 #include "acquire/record/row_mark.hpp"
 #include "acquire/record/sample_reader.hpp"
 #include "core/error.hpp"
@@ -30,6 +31,7 @@ struct SignalInfo {
   double to_SI = 1;                  // stored value × to_SI = value in N, m/s² or Pa; carries sign and calibration
   std::optional<double> angle_rad;   // around the barrel
   std::optional<double> position_m;  // from the barrel's end
+  std::optional<Direction> axis{};   // of a positive value, where the file or the channel set-up states it
   Quantity measures = Quantity::acceleration;  // force, acceleration, or the pressure at a microphone
 };
 
@@ -85,6 +87,8 @@ struct Record {
   std::vector<TraceLine> trace_lines;        // may be empty
   std::vector<TraceFace> trace_faces;        // may be empty
   std::vector<DrivingPlace> driving;         // where the file states them; may be empty
+  std::vector<PointMotion> motions;          // likewise; ascending by point, then channel
+  bool sensor_roves = false;                 // the file states that one place was struck, and that the sensors moved
   std::vector<ContiguousSignal> contiguous;  // the force and each channel, where all are contiguous; else empty
   std::vector<RecordFault> faults;           // faults while the record was captured, in order of time
   std::vector<Message> notes;                // assumptions, and parts that could not be read
@@ -100,9 +104,10 @@ struct Record {
 
 /// An entry of a channel set-up. Empty members leave what the record's file states.
 struct ChannelSetup {
-  std::string name;  // name or 1-based number of the column, or "accel 1", "force"
-  std::string role;  // "force", "acceleration" or "ignore"
-  double sign = 1;   // −1 when the sensor points against its axis
+  std::string name;                 // name or 1-based number of the column, or "accel 1", "force"
+  std::string role;                 // "force", "acceleration" or "ignore"
+  double sign = 1;                  // −1 when the sensor points against its axis
+  std::optional<Direction> axis{};  // x, y or z, where a direction is stated
   std::optional<double> angle_rad, position_m;
   std::optional<double> sensitivity_V_per_SI;        // volts per N, m/s² or Pa
   Quantity sensitivity_to = Quantity::acceleration;  // what these volts measure
@@ -133,8 +138,8 @@ enum class FileGrouping { automatic, hits, points, tests };
 /// Joins several files to one record. With `hits`, point numbers stay, so that files without point numbers are hits of
 /// one point. With `points`, the points of a file follow the points of the file before it. `automatic` means hits. A
 /// single record is returned unchanged. A caller that keeps files apart (`tests`) must not join them.
-/// errors  InputError: no records; sampling rates or channel counts differ, or only some files have a force; names the
-/// file.
+/// errors  InputError: no records; sampling rates or channel counts differ, or only some files have a force; files of
+/// `hits` state different directions for one point; names the file.
 Record join_records(std::vector<Record> records, FileGrouping grouping);
 
 /// A record of the rows for which keep(row) is true.

@@ -21,9 +21,16 @@ void serialize_frf_record(Serializer& out, const FrfRecord& record) {
   out.put(record.lines);
   out.put(static_cast<std::uint64_t>(record.accel.size()));
   for (const SignalInfo& signal : record.accel) serialize_signal(out, signal);
+  for (const SignalInfo& signal : record.accel) serialize_axis(out, signal.axis);
   out.put(record.estimator);
   serialize_geometry(out, record.geometry);
   out.put_all(record.trace_lines);
+  out.put(static_cast<std::uint64_t>(record.motions.size()));
+  for (const PointMotion& motion : record.motions) {  // of struck points: these formats state no roving sensors
+    out.put(motion.point);
+    out.put(motion.place);
+    serialize_axis(out, motion.along);
+  }
   out.put(record.decay_per_s);
   serialize_notes(out, record.notes);
   serialize_faces(out, record.trace_faces);
@@ -48,9 +55,15 @@ FrfRecord deserialize_frf_record(Deserializer& in) {
   record.lines = in.get<LineRange>();
   const std::size_t channels = in.count(5 * sizeof(double));
   for (std::size_t c = 0; c < channels; ++c) record.accel.push_back(deserialize_signal(in));
+  for (SignalInfo& signal : record.accel) signal.axis = deserialize_axis(in);
   record.estimator = in.text();
   record.geometry = deserialize_geometry(in);
   record.trace_lines = in.all<TraceLine>();
+  const std::size_t motions = in.count(2 * sizeof(int) + 3 * sizeof(double));
+  for (std::size_t i = 0; i < motions; ++i) {
+    const int point = in.get<int>(), place = in.get<int>();
+    record.motions.push_back({.point = point, .place = place, .along = deserialize_axis(in)});
+  }
   record.decay_per_s = in.get<double>();
   record.notes = deserialize_notes(in);
   record.trace_faces = deserialize_faces(in);
@@ -80,6 +93,8 @@ bool plausible_frfs(const FrfRecord& record) {
   bool valid = lines > 1 && !record.frfs.empty() && !record.accel.empty() && df_Hz > 0 && std::isfinite(df_Hz) &&
                record.lines.first < kMaxFrfLines && is_frf_kind(record.kind) && plausible_geometry(record) &&
                plausible_driving(record.driving, record.accel.size());
+  for (const PointMotion& motion : record.motions)
+    valid = valid && is_point_number(motion.point) && is_point_number(motion.place);
   for (const PointFrf& frf : record.frfs) {
     const auto fits = [&](std::size_t size) { return size == 0 || size == lines; };
     valid = valid && is_point_number(frf.point) && frf.channel < record.accel.size() && frf.frf.value.size() == lines &&

@@ -45,6 +45,8 @@ void serialize_description(Serializer& out, const Record& record) {
   serialize_signal(out, record.force);
   out.put(static_cast<std::uint64_t>(record.accel.size()));
   for (const SignalInfo& signal : record.accel) serialize_signal(out, signal);
+  serialize_axis(out, record.force.axis);
+  for (const SignalInfo& signal : record.accel) serialize_axis(out, signal.axis);
   out.put_all(record.rows);
   out.put_all(record.faults);
   out.put(static_cast<std::uint64_t>(record.continuous));
@@ -70,6 +72,8 @@ Record deserialize_description(Deserializer& in) {
   record.force = deserialize_signal(in);
   const std::size_t channels = in.count(5 * sizeof(double));
   for (std::size_t c = 0; c < channels; ++c) record.accel.push_back(deserialize_signal(in));
+  record.force.axis = deserialize_axis(in);
+  for (SignalInfo& signal : record.accel) signal.axis = deserialize_axis(in);
   record.rows = in.all<RowInfo>();
   record.faults = in.all<RecordFault>();
   require_known(record);
@@ -142,6 +146,17 @@ SignalInfo deserialize_signal(Deserializer& in) {
   if (in.get<std::uint64_t>() != 0) signal.measures = Quantity::pressure;
   signal.unit_assumed = in.get<std::uint64_t>() != 0;
   return signal;
+}
+
+void serialize_axis(Serializer& out, const std::optional<Direction>& axis) {
+  for (std::size_t i = 0; i < 3; ++i) out.put(axis ? axis->at(i) : kUnknown);
+}
+
+std::optional<Direction> deserialize_axis(Deserializer& in) {
+  Direction axis{};
+  for (double& x : axis) x = in.get<double>();
+  const bool known = std::all_of(axis.begin(), axis.end(), [](double x) { return std::abs(x) <= 1; });
+  return known ? std::optional(axis) : std::nullopt;
 }
 
 void serialize_notes(Serializer& out, const std::vector<Message>& notes) {

@@ -21,6 +21,9 @@ Record sandboxed_record(Deserializer& in, const std::shared_ptr<SandboxProcess>&
 /// Parts of the description of a record, which the description of FRFs shares.
 void serialize_signal(Serializer& out, const SignalInfo& signal);
 SignalInfo deserialize_signal(Deserializer& in);
+/// A direction, or three NaN. The layout of serialize_signal, which the parts of a batch store, lacks it.
+void serialize_axis(Serializer& out, const std::optional<Direction>& axis);
+std::optional<Direction> deserialize_axis(Deserializer& in);
 void serialize_notes(Serializer& out, const std::vector<Message>& notes);
 std::vector<Message> deserialize_notes(Deserializer& in);
 void serialize_geometry(Serializer& out, const std::vector<std::vector<double>>& geometry);

@@ -24,6 +24,8 @@ acquire::Record record_without_rows(const acquire::FrfRecord& frfs) {
   record.trace_lines = frfs.trace_lines;
   record.trace_faces = frfs.trace_faces;
   record.driving = frfs.driving;
+  record.motions = frfs.motions;
+  record.sensor_roves = frfs.sensor_roves;
   return record;
 }
 

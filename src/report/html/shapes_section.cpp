@@ -77,7 +77,7 @@ MacMatrix auto_mac(const pipeline::Survey& survey) {
 std::string unmeasured_points(const pipeline::Survey& survey) {
   constexpr std::size_t kMaxListed = 12;
   if (!survey.geometry()) return "";
-  const std::set<int> measured = survey.analysis().points();
+  const std::set<int> measured = survey.places();
   std::string list;
   std::size_t count = 0;
   for (const acquire::GeometryPoint& one : survey.geometry()->points) {

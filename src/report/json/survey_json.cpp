@@ -61,6 +61,19 @@ Json geometry_json(const pipeline::Survey& survey) {
           {"tube", survey.geometry()->tube}};
 }
 
+// What the record states of its points' directions and places.
+Json motions_json(const acquire::Record& record) {
+  Json out = Json::array();
+  for (const acquire::PointMotion& motion : record.motions) {
+    Json json{{"point", motion.point}};
+    if (record.sensor_roves) json["channel"] = motion.channel;
+    json["place"] = motion.place;
+    json["direction"] = motion.along ? Json(*motion.along) : Json();
+    out.push_back(std::move(json));
+  }
+  return out;
+}
+
 Json mac_json(const pipeline::Survey& survey) {
   Json value = Json::array(), std = Json::array();
   for (const auto& row : survey.macs()) {
@@ -129,12 +142,14 @@ std::string survey_json(const pipeline::Survey& survey, JsonOptions options) {
   options.warnings = &warnings;
   if (possible) {
     options.shape = [&, &shapes = survey.shapes(), &tubes = survey.tubes()](std::size_t m) {
-      return indented_text(shape_json(shapes[m], tubes[m], survey.options().roving));
+      return indented_text(shape_json(shapes[m], tubes[m], survey.roving()));
     };
   }
   JsonDocument document = analysis_document(survey.analysis(), options);
-  document.add_written("roving", Json(survey.options().roving == identify::Roving::hammer ? "hammer" : "sensor"));
+  document.add_written("roving", Json(survey.roving() == identify::Roving::hammer ? "hammer" : "sensor"));
   document.add_written("geometry", geometry_json(survey));
+  if (!survey.analysis().record().motions.empty())
+    document.add_written("motion", motions_json(survey.analysis().record()));
   if (possible) {
     document.add_written("auto_mac", mac_json(survey));
     survey.synthesis();

@@ -48,13 +48,53 @@ std::vector<std::vector<std::size_t>> drawn_faces(const std::vector<std::vector<
   return out;
 }
 
+bool on_tube(const pipeline::Survey* survey) {
+  return survey != nullptr && survey->geometry() && survey->geometry()->tube;
+}
+
+// The direction of a positive response as the record states it: of the point, else of the sensor or the hammer. A
+// stated angle of a sensor comes first, and the motion of a tube without a direction at its points is radial.
+std::optional<acquire::Direction> stated_direction(const pipeline::Analysis& analysis, std::size_t point,
+                                                   std::size_t channel, bool sensors, bool tube) {
+  const acquire::Record& record = analysis.record();
+  if (record.sensor_roves == sensors) {
+    const auto* const motion =
+        acquire::find_motion(record.motions, static_cast<int>(point), sensors ? channel : std::size_t{0});
+    if (motion != nullptr && motion->along) return motion->along;
+  }
+  if (tube) return std::nullopt;
+  if (!sensors) return record.force.axis;
+  if (channel >= record.accel.size()) return std::nullopt;
+  const bool angle_stated = record.accel[channel].angle_rad && !analysis.options().classes.angles_assumed;
+  return angle_stated ? std::nullopt : record.accel[channel].axis;
+}
+
+// Adds the points that are at the place of another one. A place with one component moves along its stated direction.
+void add_stated_directions(const pipeline::Survey& survey, PlotMesh& mesh) {
+  const bool sensors = survey.roving() == identify::Roving::sensor, tube = on_tube(&survey);
+  std::vector<std::size_t> components(mesh.points.size(), 0);
+  std::vector<std::optional<acquire::Direction>> stated(mesh.points.size());
+  for (const identify::ShapePlace& place : survey.shapes().front().places) {
+    const auto at = mesh.index.find(survey.place_of(place.point));
+    if (at == mesh.index.end()) continue;
+    const std::size_t index = at->second;
+    mesh.index.emplace(static_cast<int>(place.point), index);
+    ++components[index];
+    stated[index] = stated_direction(survey.analysis(), place.point, place.channel, sensors, tube);
+  }
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    if (components[i] == 1 && stated[i]) mesh.normals[i] = *stated[i];
+  }
+}
+
 }  // namespace
 
 const acquire::GeometryPoint* geometry_point_of(const pipeline::Survey& survey, std::size_t point) {
   if (!survey.geometry()) return nullptr;
   const auto& points = survey.geometry()->points;
-  const auto found = std::find_if(points.begin(), points.end(),
-                                  [&](const acquire::GeometryPoint& p) { return p.point == static_cast<int>(point); });
+  const int place = survey.place_of(point);
+  const auto found =
+      std::find_if(points.begin(), points.end(), [&](const acquire::GeometryPoint& p) { return p.point == place; });
   return found == points.end() ? nullptr : &*found;
 }
 
@@ -69,7 +109,7 @@ std::optional<std::array<double, 3>> plot_position(const pipeline::Survey& surve
 PlotMesh plot_mesh(const pipeline::Survey& survey) {
   PlotMesh mesh;
   for (const identify::ShapePlace& place : survey.shapes().front().places) {
-    if (geometry_point_of(survey, place.point) != nullptr) mesh.index.emplace(static_cast<int>(place.point), 0);
+    if (geometry_point_of(survey, place.point) != nullptr) mesh.index.emplace(survey.place_of(place.point), 0);
   }
   for (auto& [number, index] : mesh.index) {
     index = mesh.points.size();
@@ -98,13 +138,15 @@ PlotMesh plot_mesh(const pipeline::Survey& survey) {
     mesh.faces = std::move(made.faces);
   }
   if (mesh.lines.empty()) mesh.lines = acquire::edges_of(mesh.faces);
+  add_stated_directions(survey, mesh);
   return mesh;
 }
 
 std::array<double, 3> response_direction(const PlotMesh* mesh, const pipeline::Survey* survey,
                                          const pipeline::Analysis& analysis, std::size_t point, std::size_t channel,
                                          bool sensors) {
-  const bool tube = survey != nullptr && survey->geometry() && survey->geometry()->tube;
+  const bool tube = on_tube(survey);
+  if (const auto stated = stated_direction(analysis, point, channel, sensors, tube)) return *stated;
   const auto& accel = analysis.record().accel;
   if (!tube && sensors && channel < accel.size() && accel[channel].angle_rad)
     return {0.0, std::cos(*accel[channel].angle_rad), std::sin(*accel[channel].angle_rad)};

@@ -10,21 +10,21 @@
 
 namespace percuss::report {
 
-/// A point of the survey's geometry; nullptr if the geometry lacks it.
+/// The place of a point in the survey's geometry; nullptr if the geometry lacks it.
 const acquire::GeometryPoint* geometry_point_of(const pipeline::Survey& survey, std::size_t point);
 
 /// A point's coordinates for drawing: its own, or from its position on the tube (axis along x); nothing if not known. A
 /// tube whose radius is not stated is drawn with the radius of a bat's barrel, limited to 5 to 50 % of its length.
 std::optional<std::array<double, 3>> plot_position(const pipeline::Survey& survey, std::size_t point);
 
-/// The measured points of a survey, how drawings connect them, and the direction of a positive response at each.
+/// The measured places of a survey, how drawings connect them, and the direction of a positive response at each.
 struct PlotMesh {
-  std::map<int, std::size_t> index;           // of each point number
+  std::map<int, std::size_t> index;           // of each point number; several points can be at one place
   std::vector<int> number;                    // [points], ascending
   std::vector<std::array<double, 3>> points;  // m
   std::vector<std::array<std::size_t, 2>> lines;
   std::vector<std::vector<std::size_t>> faces;
-  std::vector<std::array<double, 3>> normals;  // unit vectors
+  std::vector<std::array<double, 3>> normals;  // unit vectors; the stated direction of a place that has one
   acquire::PointLayout layout = acquire::PointLayout::scattered;
 };
 
@@ -33,8 +33,9 @@ struct PlotMesh {
 /// structure_mesh(). The survey must have modes.
 PlotMesh plot_mesh(const pipeline::Survey& survey);
 
-/// Direction of a positive response: the point's normal; with `sensors`, along the sensor's angle where it is known on
-/// a structure that is no tube; along z without a mesh.
+/// Direction of a positive response: as the record states it for the point, or for the sensor or hammer; else the
+/// point's normal; with `sensors`, along the sensor's angle where it is known on a structure that is no tube; along z
+/// without a mesh.
 std::array<double, 3> response_direction(const PlotMesh* mesh, const pipeline::Survey* survey,
                                          const pipeline::Analysis& analysis, std::size_t point, std::size_t channel,
                                          bool sensors);

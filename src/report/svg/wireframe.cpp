@@ -39,7 +39,7 @@ void turn_to_largest(std::vector<std::array<Complex, 3>>& moves, const PlotMesh&
 std::vector<std::array<Complex, 3>> movement(const pipeline::Survey& survey, const identify::ModeShape& shape,
                                              const PlotMesh& mesh) {
   std::vector<std::array<Complex, 3>> moves(mesh.points.size());
-  const bool sensors = survey.options().roving == identify::Roving::sensor;
+  const bool sensors = survey.roving() == identify::Roving::sensor;
   for (const identify::ShapePlace& place : shape.places) {
     const auto at = mesh.index.find(static_cast<int>(place.point));
     if (at == mesh.index.end()) continue;
@@ -52,7 +52,7 @@ std::vector<std::array<Complex, 3>> movement(const pipeline::Survey& survey, con
 
 std::vector<WireframeSensor> sensors_of(const pipeline::Survey& survey, const PlotMesh& mesh) {
   std::vector<WireframeSensor> out;
-  const bool roving = survey.options().roving == identify::Roving::sensor;
+  const bool roving = survey.roving() == identify::Roving::sensor;
   const auto add = [&](std::size_t point, std::size_t channel) {
     const auto at = mesh.index.find(static_cast<int>(point));
     if (at == mesh.index.end()) return;

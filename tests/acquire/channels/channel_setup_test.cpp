@@ -51,8 +51,10 @@ TEST(ChannelSetup, TakesNumbersForNames) {
   EXPECT_EQ(rejection_of(R"([{"name": 2}, {"name": "2"}])").find("two entries"), 0U);
 }
 
-TEST(ChannelSetup, TurnsADirectionIntoASign) {
+TEST(ChannelSetup, TurnsADirectionIntoASignAndAnAxis) {
   EXPECT_EQ(parse_channel_setup(R"([{"name": "a", "direction": "-z"}])", "s").at(0).sign, -1);
+  EXPECT_EQ(parse_channel_setup(R"([{"name": "a", "direction": "-z"}])", "s").at(0).axis, (Direction{0, 0, 1}));
+  EXPECT_FALSE(parse_channel_setup(R"([{"name": "a", "sign": -1}])", "s").at(0).axis);
   EXPECT_EQ(parse_channel_setup(R"([{"name": "a", "direction": "+x"}])", "s").at(0).sign, 1);
   EXPECT_THAT(rejection_of(R"([{"name": "a", "direction": "up"}])"), HasSubstr("s.json: [0].direction"));
   EXPECT_THAT(rejection_of(R"([{"name": "a", "direction": "-x", "sign": -1}])"), HasSubstr("both given"));

@@ -34,4 +34,15 @@ TEST(FrfLosses, NameTheChannelsOwnNames) {
     EXPECT_THAT(losses_of(path, record), Contains("the channels' names")) << path;
 }
 
+TEST(FrfLosses, NameDirections) {
+  FrfRecord record = measured(5);
+  record.motions.push_back({.point = 0, .place = 0, .along = Direction{0, 0, 1}});
+  record.sensor_roves = true;
+  for (const char* path : {"a.h5", "a.csv", "a.uff", "a.mat"}) {
+    EXPECT_THAT(losses_of(path, record),
+                testing::IsSupersetOf({"the directions of motion", "that the sensors moved and the hammer did not"}))
+        << path;
+  }
+}
+
 }  // namespace percuss::acquire::frf_losses_test

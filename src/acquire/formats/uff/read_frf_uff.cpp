@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <tuple>
 
 #include "acquire/channels/axis_unit.hpp"
 #include "acquire/formats/uff/read_uff.hpp"
+#include "acquire/formats/uff/uff_directions.hpp"
 #include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -23,26 +25,47 @@ using Functions = std::vector<const UffFunction*>;
 using DofKey = std::tuple<std::string, int, int>;
 DofKey key_of(const UffDof& dof) { return {dof.name, dof.node, dof.direction}; }
 
+using StruckSet = std::set<std::pair<int, int>>;  // node and unsigned direction
+std::pair<int, int> struck_key(const UffFunction& f) { return {f.reference.node, std::abs(f.reference.direction)}; }
+
 // Assigns the degrees of freedom of the FRFs to points and channels.
 struct Grid {
   bool sensor_roves = false;
-  // The number of each channel, from 1. With a roving sensor, the key is name and direction only.
+  bool by_name = true, by_sign = true;  // whether names and signs tell channels apart
+  // The number of each channel, from 1.
   std::map<DofKey, std::size_t> channels;
   DofKey channel_key(const UffFunction& f) const {
-    return sensor_roves ? DofKey{f.response.name, 0, f.response.direction} : key_of(f.response);
+    const UffDof& at = f.response;
+    return {by_name ? at.name : "", sensor_roves ? 0 : at.node, by_sign ? at.direction : std::abs(at.direction)};
   }
 };
 
-Grid grid_of(const Functions& frfs) {
-  Grid grid;
-  std::set<int> struck, sensed;
-  std::set<std::pair<int, int>> struck_directions;
-  for (const UffFunction* f : frfs) {
-    struck.insert(f->reference.node);
-    struck_directions.emplace(f->reference.node, f->reference.direction);
-    sensed.insert(f->response.node);
+// Whether each FRF has a point and a channel of its own.
+bool is_unique(const Grid& grid, const Functions& frfs) {
+  std::set<std::tuple<std::pair<int, int>, DofKey>> seen;
+  return std::all_of(frfs.begin(), frfs.end(), [&](const UffFunction* f) {
+    const auto point = grid.sensor_roves ? std::pair{f->response.node, 0} : struck_key(*f);
+    return seen.emplace(point, grid.channel_key(*f)).second;
+  });
+}
+
+// A direction and its opposite are one degree of freedom. The sensors of a roving set need no common names. Signs and
+// names count only where channels are the same without them.
+void choose_channel_key(Grid& grid, const Functions& frfs) {
+  for (const auto& [by_name, by_sign] : {std::pair{false, false}, std::pair{true, false}, std::pair{true, true}}) {
+    if (!by_name && !grid.sensor_roves) continue;
+    grid.by_name = by_name;
+    grid.by_sign = by_sign;
+    if (is_unique(grid, frfs)) return;
   }
-  grid.sensor_roves = struck.size() == 1 && struck_directions.size() == 1 && sensed.size() > 1;
+}
+
+Grid grid_of(const Functions& frfs, const StruckSet& struck) {
+  Grid grid;
+  std::set<int> sensed;
+  for (const UffFunction* f : frfs) sensed.insert(f->response.node);
+  grid.sensor_roves = struck.size() == 1 && sensed.size() > 1;
+  choose_channel_key(grid, frfs);
   for (const UffFunction* f : frfs) grid.channels.emplace(grid.channel_key(*f), 0);
   std::size_t next = 0;
   for (const UffFunction* f : frfs) {  // numbered in the file's order
@@ -120,13 +143,13 @@ void require_same_lines(const Functions& frfs, const FileBytes& file) {
   }
 }
 
-StoredFrf stored_frf(const UffFunction& f, int point, std::size_t channel) {
+StoredFrf stored_frf(const UffFunction& f, int point, std::size_t channel, double sign) {
   StoredFrf out{.point = point, .channel = channel};
   std::vector<double> real(f.count), imaginary(f.count);
   f.read(0, 0, real);
   f.read(1, 0, imaginary);
   out.value.reserve(f.count);
-  for (std::size_t k = 0; k < f.count; ++k) out.value.emplace_back(real[k], imaginary[k]);
+  for (std::size_t k = 0; k < f.count; ++k) out.value.emplace_back(sign * real[k], sign * imaginary[k]);
   out.averages = uff_annotation(f).averages;
   return out;
 }
@@ -203,9 +226,15 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
     out.record.trace_lines = uff_trace_lines(contents, stated.node_offset);
     out.record.trace_faces = uff_trace_faces(contents, stated.node_offset);
   }
-  const Grid grid = grid_of(frfs);
+  StruckSet struck;
+  for (const UffFunction* f : frfs) struck.insert(struck_key(*f));
+  const Grid grid = grid_of(frfs, struck);
+  const UffStruckPoints points(struck, contents);
+  if (points.several_per_node() && !grid.sensor_roves) out.record.notes.push_back(information(points.note()));
+  out.record.sensor_roves = grid.sensor_roves;
   out.record.accel.resize(grid.channels.size());
   const auto coherences = coherences_of(contents);
+  std::size_t changed = 0;
   for (const UffFunction* f : frfs) {
     const std::size_t channel = grid.channels.at(grid.channel_key(*f)) - 1;
     SignalInfo& signal = out.record.accel[channel];
@@ -213,14 +242,28 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
     signal.name = "accel " + std::to_string(channel + 1);
     if (annotation.angle_deg) signal.angle_rad = *annotation.angle_deg * kDegree_rad;
     signal.position_m = annotation.position_m;
-    const int node = (grid.sensor_roves ? f->response.node : f->reference.node) - stated.node_offset;
-    require_point_number(node, uff_location(file, f->at));
-    out.frfs.push_back(stored_frf(*f, node, channel));
-    if (same_place(f->response, f->reference)) out.record.driving.push_back({node, channel});
+    const UffDof& moved = grid.sensor_roves ? f->response : f->reference;
+    const std::int64_t number =
+        (grid.sensor_roves ? f->response.node : points.point(f->reference)) - stated.node_offset;
+    require_point_number(moved.node - stated.node_offset, uff_location(file, f->at));
+    require_point_number(number, uff_location(file, f->at));
+    const int point = static_cast<int>(number);
+    // The directions of percuss stand for the angles of its sensors; its values have no other sign.
+    const double sign = stated.by_percuss ? 1 : uff_sign(*f, f->reference);
+    if (sign < 0) ++changed;
+    out.frfs.push_back(stored_frf(*f, point, channel, sign));
+    if (!stated.by_percuss) {
+      const std::size_t roving_channel = grid.sensor_roves ? channel : 0;
+      add_uff_motion(contents, moved, point, roving_channel, moved.node - stated.node_offset, out.record.motions);
+      if (!grid.sensor_roves) signal.axis = uff_axis(contents, f->response);
+    }
+    if (same_place(f->response, f->reference)) out.record.driving.push_back({point, channel});
     const auto coherence = coherences.find({key_of(f->reference), key_of(f->response)});
     if (coherence != coherences.end())
       add_coherence(*coherence->second, uff_location(file, coherence->second->at), out.frfs.back());
   }
+  if (changed > 0) out.record.notes.push_back(information(uff_sign_note(changed, frfs.size(), "FRFs")));
+  sort_motions(out.record.motions);
   require_grid(out, name);
   return out;
 }

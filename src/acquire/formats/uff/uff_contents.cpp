@@ -46,6 +46,7 @@ UffContents read_uff_contents(const FileBytes& file) {
   out.connections = read_uff_trace_lines(sets, file);
   UffNodes nodes = read_uff_nodes(sets, file, out.units.value_or(UffUnits{}).length);
   out.nodes_m = std::move(nodes.nodes_m);
+  out.axes = std::move(nodes.axes);
   out.nodes_left_out = nodes.left_out;
   return out;
 }

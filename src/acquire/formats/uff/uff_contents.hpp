@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "acquire/formats/uff/uff_function.hpp"
+#include "acquire/formats/uff/uff_nodes.hpp"
 #include "acquire/formats/uff/uff_trace_lines.hpp"
 
 namespace percuss::acquire {
@@ -20,6 +21,7 @@ struct UffContents {
   std::vector<UffFunction> functions;  // data sets 58
   std::optional<UffUnits> units;
   std::map<int, std::array<double, 3>> nodes_m;  // data sets 15 and 2411, in global coordinates
+  std::map<int, std::optional<UffAxes>> axes;    // of nodes with other displacement systems than the global one
   std::size_t nodes_left_out = 0;                // in coordinate systems of data set 2420
   UffTraceLines connections;                     // data sets 82 and 2412
   std::map<int, std::size_t> sets;               // count of data sets by number

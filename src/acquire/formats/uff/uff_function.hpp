@@ -3,6 +3,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <span>
 #include <string>
@@ -47,9 +48,9 @@ struct UffDof {
   friend auto operator<=>(const UffDof&, const UffDof&) = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
-/// Whether both are one node, moved or struck in one direction, as at a driving point.
+/// Whether both are one node, moved or struck along one line, as at a driving point.
 inline bool same_place(const UffDof& a, const UffDof& b) {
-  return a.node == b.node && a.node != 0 && a.direction == b.direction && a.direction != 0;
+  return a.node == b.node && a.node != 0 && std::abs(a.direction) == std::abs(b.direction) && a.direction != 0;
 }
 
 struct UffAxis {

@@ -81,7 +81,7 @@ class NodeReader {
       Fields fields = next(rest);
       if (fields.cells.blank()) continue;
       const int label = whole_number(fields, 10), system = whole_number(fields, 10);
-      whole_number(fields, 10);
+      const int displacements = whole_number(fields, 10);
       whole_number(fields, 10);
       Eigen::Vector3d at;
       if (set.number == 15) {
@@ -95,9 +95,13 @@ class NodeReader {
         ++out.left_out;
         continue;
       }
-      at = global(at, system, fields.line, set.number) / length_factor_;
+      at = global(at, system, fields.line, set.number);
+      const std::optional<UffAxes> axes = axes_at(at, displacements);
+      at /= length_factor_;
       if (!at.allFinite()) fail(set.number, fields.line, "coordinates that are not finite");
       out.nodes_m[label] = {at.x(), at.y(), at.z()};
+      out.axes.erase(label);
+      if (!is_global(displacements)) out.axes[label] = axes;
     }
   }
 
@@ -105,6 +109,53 @@ class NodeReader {
   bool in_other_frame(int system) const {
     if (frames_.contains(system)) return false;
     return unread_2420_.contains(system) || (unlabelled_2420_ && system != 0);
+  }
+
+  // 0 is the global system; so is 1 unless the file defines it.
+  bool is_global(int system) const {
+    if (frames_.contains(system) || in_other_frame(system)) return false;
+    return (system >= 0 && system <= 1) || global_2420_.contains(system);
+  }
+
+  // The directions 1, 2 and 3 of a system at a place in global coordinates: x, y, z; r, θ, z; or r, θ, φ. Nothing where
+  // the system is not known, or on its axis.
+  std::optional<UffAxes> axes_at(const Eigen::Vector3d& at, int system) const {
+    constexpr int kMaxNested = 16;
+    const auto leaf = frames_.find(system);
+    if (leaf == frames_.end()) return std::nullopt;
+    Eigen::Matrix3d turn = leaf->second.axes;
+    Eigen::Vector3d origin = leaf->second.origin;
+    int reference = leaf->second.refers_to;
+    for (int depth = 0; reference != system && !is_global(reference); ++depth) {
+      const auto frame = frames_.find(reference);
+      if (frame == frames_.end() || frame->second.kind != System::cartesian || depth == kMaxNested) return std::nullopt;
+      turn = frame->second.axes * turn;
+      origin = frame->second.origin + frame->second.axes * origin;
+      system = reference;
+      reference = frame->second.refers_to;
+    }
+    const Eigen::Vector3d local = turn.transpose() * (at - origin);
+    const double across = std::hypot(local.x(), local.y()), distance = local.norm();
+    if (leaf->second.kind != System::cartesian) {
+      if (!(across > 1e-9 * (1 + distance))) return std::nullopt;
+      const double cos_around = local.x() / across, sin_around = local.y() / across;
+      Eigen::Matrix3d own;
+      if (leaf->second.kind == System::cylindrical) {
+        own << cos_around, -sin_around, 0, sin_around, cos_around, 0, 0, 0, 1;
+      } else {
+        const double sin_down = across / distance, cos_down = local.z() / distance;
+        own << sin_down * cos_around, cos_down * cos_around, -sin_around,  //
+            sin_down * sin_around, cos_down * sin_around, cos_around,      //
+            cos_down, -sin_down, 0;
+      }
+      turn = turn * own;
+    }
+    UffAxes out{};
+    for (int direction = 0; direction < 3; ++direction) {
+      for (int i = 0; i < 3; ++i)
+        out.at(static_cast<std::size_t>(direction)).at(static_cast<std::size_t>(i)) = turn(i, direction);
+    }
+    return out;
   }
 
   struct Fields {

@@ -67,7 +67,7 @@ TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {
   EXPECT_EQ(record.kind, FrfKind::accelerance);
 }
 
-// A driving point has response and reference at the same node, in the same direction.
+// A driving point has response and reference at the same node, along the same line.
 TEST(UffFrf, NamesDrivingPoints) {
   std::string text;
   for (const int node : {4, 9}) {
@@ -80,8 +80,11 @@ TEST(UffFrf, NamesDrivingPoints) {
   FrfReadOptions second;
   second.read.accel_channels = {"2"};
   EXPECT_THAT(read(text, second).driving, ElementsAre(DrivingPlace{9, 0}));
-  EXPECT_TRUE(read(frf_text({.response_node = 9, .response_direction = 3, .reference_node = 9}, 1)).driving.empty())
-      << "struck against the direction of the sensor";
+  UffText set{.response_node = 9, .response_direction = 3, .reference_node = 9, .reference_direction = -3};
+  EXPECT_THAT(read(frf_text(set, 1)).driving, ElementsAre(DrivingPlace{9, 0}))
+      << "struck against the direction of the sensor: the sign of the FRF is changed";
+  set.reference_direction = 1;
+  EXPECT_TRUE(read(frf_text(set, 1)).driving.empty()) << "struck across the direction of the sensor";
 }
 
 TEST(UffFrf, MakesPointsOfResponsesOfARovingSensor) {
