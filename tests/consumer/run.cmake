@@ -1,7 +1,8 @@
 # cmake -DBUILD=… -DWORK=… -DCXX=… -DGENERATOR=… -P run.cmake: installs the build tree BUILD under WORK, then
 # configures, builds and runs the project beside this file against that installation alone.
 function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text WORKING_DIRECTORY ${WORK})
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text
+                  WORKING_DIRECTORY ${WORK})
   if(NOT result EQUAL 0)
     message(FATAL_ERROR "${ARGN}\n${text}")
   endif()
@@ -27,8 +28,8 @@ foreach(header IN LISTS public)
   endforeach()
 endforeach()
 
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${CXX} -DSOURCE=${source}
-    -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${CXX}
+    -DSOURCE=${source} -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 file(GLOB programs ${WORK}/build/programs/*)
 foreach(program IN LISTS programs)
@@ -46,8 +47,8 @@ run(${CMAKE_COMMAND} --build ${WORK}/guide/build)
 run(${WORK}/guide/build/my_program)
 
 run(${WORK}/prefix/bin/percuss --version)
-foreach(made man/man1/percuss.1 man/man1/percuss-model-beam.1 bash-completion/completions/percuss zsh/site-functions/_percuss
-        fish/vendor_completions.d/percuss.fish)
+foreach(made man/man1/percuss.1 man/man1/percuss-model-beam.1 bash-completion/completions/percuss
+        zsh/site-functions/_percuss fish/vendor_completions.d/percuss.fish)
   file(SIZE ${WORK}/prefix/share/${made} bytes)  # fails when the file is missing
   if(bytes LESS 500)
     message(FATAL_ERROR "${made} holds ${bytes} bytes")

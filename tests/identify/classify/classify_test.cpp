@@ -10,6 +10,7 @@ namespace percuss::identify::classify_test {
 using std::numbers::pi;
 
 constexpr double kDegree = pi / 180;
+constexpr double kRounding = 1e-12;
 // With a lower confidence, classify() states the other type as an alternative.
 constexpr double kSure = 0.9;
 
@@ -40,7 +41,7 @@ TEST(Classify, RatioMinusOneIsHoop) {
     const ModeClassification classification = classifications({hoop(1900, turn)})[0];
     EXPECT_EQ(classification.type, ModeType::hoop) << turn;
     EXPECT_GE(classification.confidence, kSure) << turn;
-    EXPECT_NEAR(std::abs(*classification.ratio + 1.0), 0, 1e-9) << turn;
+    EXPECT_NEAR(std::abs(*classification.ratio + 1.0), 0, kRounding) << turn;
   }
 }
 
@@ -50,7 +51,7 @@ TEST(Classify, TangentOfAPlaneIsBending) {
     EXPECT_EQ(classification.type, ModeType::bending) << plane;
     EXPECT_GE(classification.confidence, kSure) << plane;
     EXPECT_FALSE(classification.alternative) << plane;
-    EXPECT_NEAR(classification.ratio->real() / std::tan(plane * kDegree), 1, 1e-9) << plane;
+    EXPECT_NEAR(classification.ratio->real() / std::tan(plane * kDegree), 1, kRounding) << plane;
   }
 }
 
@@ -138,7 +139,6 @@ TEST(Classify, AcceptsSensorsAt60Degrees) {
 }
 
 TEST(Classify, DoesNotDependOnUnitOrSign) {
-  constexpr double kTolerance = 1e-12;  // rounding
   const auto scaled = [](Mode mode, Complex by) {
     for (Residue& r : mode.residues) {
       r.value *= by;
@@ -153,8 +153,8 @@ TEST(Classify, DoesNotDependOnUnitOrSign) {
   const auto a = classifications(modes), b = classifications(other);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     EXPECT_EQ(a[m].type, b[m].type);
-    EXPECT_NEAR(a[m].confidence, b[m].confidence, kTolerance);
-    EXPECT_NEAR(std::abs(*a[m].ratio - *b[m].ratio), 0, kTolerance);
+    EXPECT_NEAR(a[m].confidence, b[m].confidence, kRounding);
+    EXPECT_NEAR(std::abs(*a[m].ratio - *b[m].ratio), 0, kRounding);
   }
 }
 
@@ -168,18 +168,17 @@ TEST(Classify, DoesNotDependOnTheOrderOfSensors) {
   for (std::size_t m = 0; m < 2; ++m) {
     EXPECT_EQ(a[m].type, b[m].type);
     EXPECT_NEAR(a[m].confidence, b[m].confidence, kTolerance);
-    EXPECT_NEAR(std::abs(*a[m].ratio * *b[m].ratio - 1.0), 0, 1e-9);
+    EXPECT_NEAR(std::abs(*a[m].ratio * *b[m].ratio - 1.0), 0, kRounding);
   }
 }
 
 TEST(Classify, UsesTheRatioOverAllPoints) {
-  constexpr double kTolerance = 1e-12;          // rounding
   Mode mode = mode_at(1900, 0.01, 0.02, 0.01);  // a point at a node: noise
   mode.residues.push_back({.point = 1, .channel = 0, .value = 2, .std = 0.01});
   mode.residues.push_back({.point = 1, .channel = 1, .value = -2, .std = 0.01});
   const ModeClassification classification = classifications({mode})[0];
   EXPECT_EQ(classification.type, ModeType::hoop);
-  EXPECT_NEAR(classification.ratio->real(), (0.01 * 0.02 - 4) / (0.01 * 0.01 + 4), kTolerance);
+  EXPECT_NEAR(classification.ratio->real(), (0.01 * 0.02 - 4) / (0.01 * 0.01 + 4), kRounding);
 }
 
 TEST(PairOfSensors, TakesTheTwoNearestToARightAngle) {

@@ -213,8 +213,7 @@ TEST_F(SoundRecord, SurvivesTruncationAndMutations) {
     for (int i = 0; i < 1 + trial % 3; ++i) changed[random() % changed.size()] = static_cast<char>(random() & 0xFFU);
     read_all(changed);
   }
-  std::cerr << "SOUND " << read << " " << refused << std::endl;
-  EXPECT_GT(read, 500);
+  EXPECT_GT(read, 500);  // mutations that matter always or never would test little
   EXPECT_GT(refused, 500);
 }
 
