@@ -3,6 +3,7 @@
 
 #include "acquire/record/record.hpp"
 #include "identify/fit/local_fit.hpp"
+#include "identify/model/mode.hpp"
 #include "synth/spec.hpp"
 
 namespace percuss::test {

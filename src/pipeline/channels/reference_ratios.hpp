@@ -15,11 +15,11 @@ struct ReferenceContradiction {
   std::size_t modes = 0;   // that show the factor
 };
 
-/// The points at which one real factor, far from 1, relates the residues of two channels to their ratio at the other
-/// points, in all clear modes. At each point A_pc = φ_p φ_c, so that the ratio of two sensors depends on the mode
-/// alone. A reversed, disconnected or wrongly scaled channel in the data of one point has such a factor. Empty for
-/// fewer than three modes or six points, and where more than a quarter of the points would be named: then these points
-/// may be right. theory (5.1)
+/// The points at which one real factor, far from 1, relates the ratio of two channels' residues to this ratio at the
+/// other points, in all clear modes. At each point A_pc = φ_p φ_c, so that the ratio of two sensors depends on the mode
+/// alone. A reversed, disconnected or wrongly scaled channel in the data of some points has such a factor. Of two
+/// groups of points that contradict each other, the smaller one is returned. Empty for fewer than three modes or six
+/// points. theory (5.1)
 std::vector<ReferenceContradiction> reference_contradictions(const std::vector<identify::Mode>& modes);
 
 }  // namespace percuss::pipeline

@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "core/io/counted_words.hpp"
+#include "core/math/statistics.hpp"
 #include "core/units.hpp"
 #include "pipeline/channels/reference_ratios.hpp"
 
@@ -30,31 +32,38 @@ std::string cause(double factor, const std::string& first, const std::string& se
   return "the scale of one of them was different";
 }
 
+// "at points 14, 15, 16, it is about -1 times this (one of them was reversed)"
+std::string group_text(const std::string& cause, const std::vector<ReferenceContradiction>& points) {
+  std::vector<double> factors;
+  for (const ReferenceContradiction& at : points) factors.push_back(at.factor);
+  const std::string numbers =
+      limited_list(points.size(), kMaxNamedPoints, [&](std::size_t i) { return std::to_string(points[i].point); });
+  return fmt::format("at point{} {} it is {:.2g} times this: {} there", plural(points.size()), numbers, median(factors),
+                     cause);
+}
+
 }  // namespace
 
 std::vector<Warning> reference_warnings(const std::vector<acquire::SignalInfo>& accel,
                                         const std::vector<identify::Mode>& modes) {
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<ReferenceContradiction>> pairs;
-  for (const ReferenceContradiction& found : reference_contradictions(modes)) {
-    if (found.first < accel.size() && found.second < accel.size()) pairs[{found.first, found.second}].push_back(found);
+  const auto name = [&](std::size_t channel) { return one_line(accel[channel].name, kMaxNameBytes); };
+  using Group = std::map<std::string, std::vector<ReferenceContradiction>>;  // by cause
+  std::map<std::pair<std::size_t, std::size_t>, Group> pairs;
+  for (const ReferenceContradiction& at : reference_contradictions(modes)) {
+    if (at.first < accel.size() && at.second < accel.size())
+      pairs[{at.first, at.second}][cause(at.factor, name(at.first), name(at.second))].push_back(at);
   }
   std::vector<Warning> out;
-  for (const auto& [pair, points] : pairs) {
-    const auto name = [&](std::size_t channel) { return one_line(accel[channel].name, kMaxNameBytes); };
-    const std::string first = name(pair.first), second = name(pair.second);
+  for (const auto& [pair, groups] : pairs) {
     std::string list;
-    for (std::size_t i = 0; i < std::min(points.size(), kMaxNamedPoints); ++i) {
-      const ReferenceContradiction& at = points[i];
-      list += fmt::format("{}at point {} {:.3g} times this ratio in {} modes ({} there)", i == 0 ? "" : ", ", at.point,
-                          at.factor, at.modes, cause(at.factor, first, second));
-    }
-    if (points.size() > kMaxNamedPoints) list += fmt::format(" and at {} more points", points.size() - kMaxNamedPoints);
+    for (const auto& [cause, points] : groups) list += (list.empty() ? "" : "; ") + group_text(cause, points);
     out.push_back(with_remedy(
-        {"sensors_disagree", fmt::format("{} over {} is the same at most points, but {}. Shapes are wrong at such a "
-                                         "point, and modal masses may be",
-                                         second, first, list)},
-        "correct the channel's sign, unit or scale in the data of this point, or leave the point "
-        "out"));
+        {"sensors_disagree",
+         fmt::format(
+             "in each mode, {} moves in one ratio to {} at all points, but {}. Shapes are wrong at these points, "
+             "and modal masses may be",
+             name(pair.second), name(pair.first), list)},
+        "correct sign, unit or scale of the channel in the data of these points, or leave them out"));
   }
   return out;
 }

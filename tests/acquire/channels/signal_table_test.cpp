@@ -22,8 +22,8 @@ TEST(FindRoles, FollowsTheUnitOfArrays) {
 
 // A file may state that a signal is a pressure without stating its unit.
 TEST(RecordOfTable, AssumesTheSiUnitOfTheQuantity) {
-  SignalTable table{.fs_Hz = 1000,
-                    .format = "UFF",
+  SignalTable table{.format = "UFF",
+                    .fs_Hz = 1000,
                     .signals = {{.name = "tip"}, {.name = "mic", .measures = Quantity::pressure}},
                     .rows = {{.samples = 4}},
                     .read = [](std::size_t, std::size_t, std::size_t, std::span<double>) {}};

@@ -10,6 +10,7 @@
 namespace percuss::pipeline::reference_ratios_test {
 
 using testing::IsEmpty;
+using testing::SizeIs;
 
 constexpr std::size_t kPoints = 12, kModes = 4;
 constexpr double kStd = 1e-3;  // of residues of size 1
@@ -67,10 +68,28 @@ TEST(ReferenceRatios, DoNotContradictWhereTheModesDisagree) {
   EXPECT_THAT(reference_contradictions(modes), IsEmpty());
 }
 
-TEST(ReferenceRatios, DoNotContradictAtEveryThirdPoint) {
-  EXPECT_THAT(reference_contradictions(
-                  beam_modes([](std::size_t p, std::size_t c) { return p % 3 == 0 && c == 1 ? -1.0 : 1.0; })),
-              IsEmpty());
+// The sensor was mounted the other way round for the last five of twelve points: the smaller group is named.
+TEST(ReferenceRatios, NameTheSmallerGroupOfPoints) {
+  for (const bool last : {true, false}) {
+    const auto found = reference_contradictions(
+        beam_modes([&](std::size_t p, std::size_t c) { return c == 1 && (last ? p >= 7 : p < 7) ? -1.0 : 1.0; }));
+    EXPECT_THAT(found, SizeIs(5)) << last;
+    for (const ReferenceContradiction& at : found) {
+      EXPECT_GE(at.point, 7U);
+      EXPECT_NEAR(at.factor, -1, kRounding);
+    }
+  }
+}
+
+TEST(ReferenceRatios, FindEitherChannelSilent) {
+  for (const std::size_t silent : {0U, 1U}) {
+    const auto found = reference_contradictions(
+        beam_modes([&](std::size_t p, std::size_t c) { return p == 9 && c == silent ? 0.0 : 1.0; }));
+    ASSERT_THAT(found, SizeIs(1)) << silent;
+    EXPECT_EQ(found[0].point, 9U);
+    EXPECT_EQ(found[0].second, silent);
+    EXPECT_NEAR(found[0].factor, 0, kRounding);
+  }
 }
 
 }  // namespace percuss::pipeline::reference_ratios_test

@@ -103,7 +103,7 @@ TEST(RecordFindings, NameAnAmplifierThatClips) {
     const std::vector<double> limited = x;
     for (std::size_t n = 1; n + 1 < x.size(); ++n) x[n] = 0.25 * (limited[n - 1] + limited[n + 1]) + 0.5 * limited[n];
   };
-  const Analysis analysis(changed(synth::synthesise(tube()).record, clip), band());
+  const Analysis analysis(test::with_changed_accel(synth::synthesise(tube()).record, clip), band());
   EXPECT_THAT(codes_of(analysis), Contains("response_clipped"));
 }
 
@@ -114,7 +114,7 @@ TEST(RecordFindings, NameChannelsThatDoNotRespond) {
     std::normal_distribution<double> normal;
     for (double& value : x) value = normal(random);
   };
-  const Analysis analysis(changed(synth::synthesise(tube()).record, noise), band());
+  const Analysis analysis(test::with_changed_accel(synth::synthesise(tube()).record, noise), band());
   EXPECT_THAT(codes_of(analysis), AllOf(Contains("dead_channel"), Not(Contains("hits_disagree"))));
   EXPECT_THAT(analysis.modes(), IsEmpty());
 }
@@ -129,7 +129,7 @@ TEST(RecordFindings, NameNoClippingOfNoise) {
     x[kDecay] = 4;
     x[kDecay + 1] = -4;
   };
-  const Analysis analysis(changed(synth::synthesise(tube()).record, noise), band());
+  const Analysis analysis(test::with_changed_accel(synth::synthesise(tube()).record, noise), band());
   EXPECT_THAT(codes_of(analysis), AllOf(Contains("dead_channel"), Not(Contains("response_clipped"))));
 }
 

@@ -20,7 +20,7 @@ synth::SynthSpec bat() {
       test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7},
                       {.freq_Hz = 1900,
                        .damping_ratio = 0.01,
-                       .family = synth::SynthFamily::hoop,
+                       .type = synth::SynthModeType::hoop,
                        .order = 1,
                        .amplitude_per_sqrt_kg = 2.4}},
                      1);
