@@ -251,7 +251,7 @@ std::vector<Warning> Survey::warnings() const {
                               .frf_points = analysis_.frf_points()};
   out.insert(out.end(), geometry_warnings_.begin(), geometry_warnings_.end());
   for (Warning& warning : survey_warnings(results)) out.push_back(std::move(warning));
-  if (options_.roving == identify::Roving::hammer) {
+  if (roving_ == identify::Roving::hammer) {
     for (Warning& warning : reference_warnings(results.accel, results.modes)) out.push_back(std::move(warning));
   }
   return ranked(std::move(out));

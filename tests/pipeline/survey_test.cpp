@@ -7,7 +7,10 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <vector>
 
+#include "support/changed_record.hpp"
 #include "support/input_error.hpp"
 #include "synth/structure.hpp"
 #include "synth/synthesise.hpp"
@@ -269,6 +272,29 @@ TEST(Survey, WarnsOfAWrongDrivingPointSignAndBrokenReciprocity) {
   spec.sensors[0].sign = -1;
   const Analysis bad(synth::synthesise(spec).record, in_band());
   EXPECT_THAT(Survey(bad, {}).warnings(), Contains(Field(&Warning::code, "driving_point_sign")));
+}
+
+// The second of two fixed sensors was mounted the other way round before the last four points were struck.
+TEST(SurveyWarnings, NameThePointsAtWhichASensorWasReversed) {
+  synth::SynthSpec spec = roving(barrel(), 2);
+  spec.sensors.push_back({.position_m = 0.05, .angle_rad = 40 * kDegree});
+  const acquire::Record good = synth::synthesise(spec).record;
+  const auto points_named = [&](const acquire::Record& record) {
+    const Analysis analysis(record, in_band());
+    std::string message;
+    for (const Warning& warning : Survey(analysis, SurveyOptions{}).warnings()) {
+      if (warning.code == "sensors_disagree") message += warning.message;
+    }
+    return message;
+  };
+  EXPECT_EQ(points_named(good), "");
+  const acquire::Record reversed =
+      test::with_changed_accel(good, [&](std::size_t row, std::size_t channel, std::vector<double>& x) {
+        if (channel == 1 && good.rows[row].point >= 12)
+          for (double& value : x) value = -value;
+      });
+  EXPECT_THAT(points_named(reversed),
+              HasSubstr("at points 12, 13, 14, 15 it is -1 times this: one of them was reversed"));
 }
 
 }  // namespace percuss::pipeline::survey_test
