@@ -57,17 +57,25 @@ class Responses:
         return self._all[point, channel][3]
 
 
+def array_of(values: Any, name: str) -> np.ndarray:
+    """The values as an array. Raises InputError for nested lists of different lengths."""
+    try:
+        return np.asarray(values)
+    except ValueError:
+        raise InputError("lists of different lengths", name, "give an array of numbers") from None
+
+
 def _signals(values: Any, name: str) -> np.ndarray:
     if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
         raise InputError("masked samples", name, "repair or omit the hits that have masked samples")
     if isinstance(values, Iterator):
         raise TypeError(f"{name} cannot be a {type(values).__name__}: give an array or a list")
-    array = np.asarray(values)
+    array = array_of(values, name)
     return array if array.dtype.isnative else array.astype(array.dtype.newbyteorder("="))
 
 
 def _is_list_of_arrays(values: Any) -> bool:
-    return isinstance(values, (list, tuple)) and bool(values) and all(np.ndim(one) > 0 for one in values)
+    return isinstance(values, (list, tuple)) and bool(values) and all(isinstance(one, (list, tuple)) or np.ndim(one) > 0 for one in values)
 
 
 def rows_of(force: Any, accel: Any) -> list[tuple[Any, list[np.ndarray]]]:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ._arrays import one_line, texts_of
+from ._arrays import array_of, one_line, texts_of
 from ._errors import InputError
 
 _ROUNDING = 1e-6  # programs store coherences in single precision, and 1 becomes a little more
@@ -33,7 +33,7 @@ def frequencies_given(values: Any) -> np.ndarray:
 def _unmasked(values: Any, name: str) -> np.ndarray:
     if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
         raise InputError("masked numbers", name, "repair them or leave out their lines for all responses")
-    return np.asarray(values)
+    return array_of(values, name)
 
 
 def responses_given(values: Any, name: str, kind: Any, lines: int) -> np.ndarray:

@@ -140,7 +140,7 @@ def test_big_endian_numbers_are_read(signals, number):
 @pytest.mark.parametrize("name", BAD)
 def test_hostile_arrays_are_rejected(signals, name):
     force, accel = BAD[name](*signals)
-    with pytest.raises((percuss.InputError, ValueError)) as refused:
+    with pytest.raises(percuss.InputError) as refused:
         percuss.analyze(force, accel, fs=FS, band=BAND)
     assert str(refused.value) and "\n" not in str(refused.value)
 

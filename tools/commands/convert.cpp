@@ -10,7 +10,6 @@
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"
 #include "commands/commands.hpp"
-#include "commands/info/info_frfs.hpp"
 #include "core/error.hpp"
 #include "report/text/version.hpp"
 
@@ -49,7 +48,8 @@ void print_document(const ConvertFlags& flags, const std::string& to, const std:
   json["output"] = {{"path", to}, {"bytes", std::filesystem::file_size(to)}};
   json.update(content);
   json["not_kept"] = losses;
-  json["notes"] = note_texts(notes);
+  json["notes"] = Json::array();
+  for (const Message& note : notes) json["notes"].push_back(note.text);
   print(flags.output, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
