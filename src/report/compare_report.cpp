@@ -10,8 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "report/compare_text.hpp"
 #include "report/json/compare_json.hpp"
-#include "report/text/compare_text.hpp"
 #include "report/text/number_format.hpp"
 
 namespace percuss::report {

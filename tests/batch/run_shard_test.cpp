@@ -20,9 +20,9 @@
 #include "batch/status.hpp"
 #include "core/error.hpp"
 #include "report/text/version.hpp"
+#include "support/files/synthetic_files.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 namespace percuss::batch::run_shard_test {
 

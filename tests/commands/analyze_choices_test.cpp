@@ -3,11 +3,11 @@
 
 #include <memory>
 
+#include "support/files/synthetic_files.hpp"
 #include "support/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 // Options of percuss analyze that override its choices, and the errors of invalid ones.
 namespace percuss::analyze_choices_test {

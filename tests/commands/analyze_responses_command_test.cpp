@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "support/csv_columns.hpp"
+#include "support/files/csv_columns.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/ping_file.hpp"

@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <memory>
 
+#include "support/files/synthetic_files.hpp"
 #include "support/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/small_records.hpp"
-#include "support/synthetic_files.hpp"
 
 namespace percuss::convert_command_test {
 

@@ -10,7 +10,7 @@
 #include "acquire/formats/hdf5/write_hdf5.hpp"
 #include "acquire/open_measurement.hpp"
 #include "model/impact/ball_on_beam.hpp"
-#include "support/csv_columns.hpp"
+#include "support/files/csv_columns.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/rejection.hpp"

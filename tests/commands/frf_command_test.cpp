@@ -7,11 +7,11 @@
 #include <numbers>
 #include <sstream>
 
+#include "support/files/synthetic_files.hpp"
 #include "support/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 namespace percuss::frf_command_test {
 

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "support/files/synthetic_files.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 // A command with several outputs writes all or none.
 namespace percuss::output_group_test {

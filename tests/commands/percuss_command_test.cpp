@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "report/text/version.hpp"
+#include "support/files/synthetic_files.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/small_records.hpp"
-#include "support/synthetic_files.hpp"
 
 // The program as a whole: help, version, and errors of the command line.
 namespace percuss::percuss_command_test {

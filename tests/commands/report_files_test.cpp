@@ -4,10 +4,10 @@
 
 #include <fstream>
 
+#include "support/files/synthetic_files.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 namespace percuss::report_files_test {
 

@@ -9,12 +9,12 @@
 
 #include "acquire/formats/hdf5/hdf5_input.hpp"
 #include "acquire/formats/hdf5/write_hdf5.hpp"
+#include "support/files/synthetic_files.hpp"
 #include "support/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/rejection.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 #include "synth/synthesise.hpp"
 
 namespace percuss::survey_command_test {

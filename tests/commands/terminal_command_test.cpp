@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "report/text/text_table.hpp"
+#include "support/files/synthetic_files.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 #include "support/terminal_process.hpp"
 
 // Output on a terminal: colours, pictures and the width of tables.

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
+#include "support/files/synthetic_files.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 // Allocations and writes fail: no memory, a full disk, short writes.
 namespace percuss::faults_test {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <random>
 
-#include "support/minimised_corpus.hpp"
+#include "support/files/minimised_corpus.hpp"
 #include "support/scratch_folder.hpp"
 #include "targets.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "acquire/formats/hdf5/read_hdf5.hpp"
 #include "core/error.hpp"
-#include "support/hdf5_builder.hpp"
+#include "support/files/hdf5_builder.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 

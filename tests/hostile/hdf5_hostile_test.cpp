@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "acquire/formats/hdf5/read_hdf5.hpp"
-#include "support/hdf5_builder.hpp"
+#include "support/files/hdf5_builder.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "support/files/synthetic_files.hpp"
 #include "support/json.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 // Names and texts of files with characters that control a terminal, reorder a line or are invisible; and formulas in
 // tables.

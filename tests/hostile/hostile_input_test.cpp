@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <random>
 
+#include "support/files/synthetic_files.hpp"
 #include "support/json.hpp"
 #include "support/percuss_process.hpp"
 #include "support/rejection.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 // Files on a user's disk that are not records.
 namespace percuss::hostile_input_test {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "support/hdf5_builder.hpp"
+#include "support/files/hdf5_builder.hpp"
 #include "support/rejection.hpp"
 #include "support/scratch_folder.hpp"
 

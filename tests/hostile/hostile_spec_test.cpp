@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
+#include "support/files/synthetic_files.hpp"
 #include "support/rejection.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 // Invalid specifications of synthetic tests.
 namespace percuss::hostile_spec_test {

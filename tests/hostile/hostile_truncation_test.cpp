@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <random>
 
-#include "support/hdf5_builder.hpp"
+#include "support/files/hdf5_builder.hpp"
+#include "support/files/synthetic_files.hpp"
 #include "support/json.hpp"
 #include "support/percuss_process.hpp"
 #include "support/rejection.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 // Files that are cut off, damaged, or smaller than they claim.
 namespace percuss::hostile_truncation_test {

@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
+#include "support/files/synthetic_files.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 // Limits of the shell (ulimit) and closed standard streams: success, or one line and the documented exit code.
 namespace percuss::limits_test {

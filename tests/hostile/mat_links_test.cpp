@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "acquire/open_measurement.hpp"
-#include "support/hdf5_builder.hpp"
+#include "support/files/hdf5_builder.hpp"
+#include "support/files/mat_builder.hpp"
 #include "support/input_error.hpp"
-#include "support/mat_builder.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 

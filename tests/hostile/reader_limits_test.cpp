@@ -7,8 +7,8 @@
 #include "acquire/sandbox/sandbox_measurement.hpp"
 #include "core/error.hpp"
 #include "support/confinement.hpp"
+#include "support/files/mat_builder.hpp"
 #include "support/input_error.hpp"
-#include "support/mat_builder.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 

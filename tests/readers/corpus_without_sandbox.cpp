@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "acquire/open_measurement.hpp"
-#include "support/minimised_corpus.hpp"
+#include "support/files/minimised_corpus.hpp"
 #include "support/scratch_folder.hpp"
 #include "targets.hpp"
 

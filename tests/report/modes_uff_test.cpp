@@ -7,15 +7,15 @@
 #include <numbers>
 
 #include "acquire/formats/uff/uff_file.hpp"
-#include "support/csv_text.hpp"
+#include "support/files/csv_text.hpp"
+#include "support/files/synthetic_files.hpp"
+#include "support/files/uff_text.hpp"
 #include "support/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/modal_frfs.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/small_records.hpp"
-#include "support/synthetic_files.hpp"
-#include "support/uff_text.hpp"
 
 namespace percuss::report::modes_uff_test {
 

@@ -8,7 +8,7 @@
 
 #include "acquire/open_measurement.hpp"
 #include "core/units.hpp"
-#include "support/hdf5_builder.hpp"
+#include "support/files/hdf5_builder.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "acquire/record/frf_record.hpp"
-#include "support/csv_text.hpp"
+#include "support/files/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
 

@@ -14,7 +14,7 @@
 #include "acquire/formats/hdf5/write_hdf5.hpp"
 #include "acquire/hits/hits.hpp"
 #include "acquire/write_record.hpp"
-#include "support/hdf5_builder.hpp"
+#include "support/files/hdf5_builder.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 

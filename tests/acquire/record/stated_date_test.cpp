@@ -6,7 +6,7 @@
 
 #include "acquire/open_measurement.hpp"
 #include "acquire/write_record.hpp"
-#include "support/hdf5_builder.hpp"
+#include "support/files/hdf5_builder.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace percuss::acquire::stated_date_test {

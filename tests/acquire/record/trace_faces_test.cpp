@@ -9,7 +9,7 @@
 
 #include "acquire/open_measurement.hpp"
 #include "acquire/write_record.hpp"
-#include "support/hdf5_builder.hpp"
+#include "support/files/hdf5_builder.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -10,8 +10,8 @@
 #include "acquire/sandbox/sandbox_process.hpp"
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
+#include "support/files/synthetic_files.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 namespace percuss::acquire::fork_server_test {
 

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "support/confinement.hpp"
+#include "support/files/synthetic_files.hpp"
 #include "support/json.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 // The sandbox on systems without seccomp or without Landlock.
 namespace percuss::acquire::sandbox_support_test {

@@ -24,13 +24,13 @@
 #include "acquire/sandbox/sandbox_measurement.hpp"
 #include "acquire/sandbox/sandbox_process.hpp"
 #include "core/error.hpp"
+#include "support/files/mat_builder.hpp"
+#include "support/files/synthetic_files.hpp"
 #include "support/input_error.hpp"
-#include "support/mat_builder.hpp"
 #include "support/percuss_process.hpp"
 #include "support/record_samples.hpp"
 #include "support/rejection.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 namespace percuss::acquire::sandbox_test {
 

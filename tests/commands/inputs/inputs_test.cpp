@@ -7,13 +7,13 @@
 #include <fstream>
 
 #include "commands/inputs/input_files.hpp"
+#include "support/files/mat_builder.hpp"
+#include "support/files/synthetic_files.hpp"
+#include "support/files/uff_text.hpp"
 #include "support/json.hpp"
-#include "support/mat_builder.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/small_records.hpp"
-#include "support/synthetic_files.hpp"
-#include "support/uff_text.hpp"
 
 // Files as users have them: percuss reads them, or one message says what would work.
 namespace percuss::inputs_test {

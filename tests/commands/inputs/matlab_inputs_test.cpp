@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "commands/inputs/input_files.hpp"
-#include "support/mat_builder.hpp"
+#include "support/files/mat_builder.hpp"
 
 // MAT files as users have them.
 namespace percuss::matlab_inputs_test {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "commands/inputs/input_files.hpp"
-#include "support/uff_text.hpp"
+#include "support/files/uff_text.hpp"
 
 // The command that a message suggests for files that do not name their channels.
 namespace percuss::suggested_command_test {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/csv_columns.hpp"
+#include "support/files/csv_columns.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"

@@ -8,10 +8,10 @@
 #include "acquire/write_record.hpp"
 #include "report/html/html_page.hpp"
 #include "report/text/digest.hpp"
+#include "support/files/synthetic_files.hpp"
 #include "support/json.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 #include "support/text_parts.hpp"
 
 namespace percuss::report::analysis_page_test {

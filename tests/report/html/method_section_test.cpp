@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "report/text/method_text.hpp"
+#include "support/files/synthetic_files.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 #include "support/text_parts.hpp"
 
 // What makes a page a test report: its title block, its section "Method", and the PDF.

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/files/synthetic_files.hpp"
 #include "support/modal_frfs.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 #include "synth/synthesise.hpp"
 
 namespace percuss::report::frf_terminal_plot_test {

@@ -8,7 +8,7 @@
 
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
 #include "acquire/formats/hdf5/read_frf_hdf5.hpp"
-#include "support/hdf5_builder.hpp"
+#include "support/files/hdf5_builder.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 

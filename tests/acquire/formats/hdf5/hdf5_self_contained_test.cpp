@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
-#include "support/hdf5_builder.hpp"
+#include "support/files/hdf5_builder.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 

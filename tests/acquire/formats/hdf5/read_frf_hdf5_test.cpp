@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "acquire/formats/hdf5/hdf5_output.hpp"
-#include "support/hdf5_builder.hpp"
+#include "support/files/hdf5_builder.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 

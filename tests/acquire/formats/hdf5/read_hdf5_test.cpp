@@ -6,7 +6,7 @@
 
 #include "acquire/formats/hdf5/read_hdf5.hpp"
 #include "core/units.hpp"
-#include "support/hdf5_builder.hpp"
+#include "support/files/hdf5_builder.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
 #include "support/record_samples.hpp"

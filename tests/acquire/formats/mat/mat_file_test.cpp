@@ -11,8 +11,8 @@
 #include <type_traits>
 
 #include "acquire/formats/mat/mat_flattener.hpp"
+#include "support/files/mat_builder.hpp"
 #include "support/input_error.hpp"
-#include "support/mat_builder.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace percuss::acquire::mat_file_test {

@@ -5,7 +5,7 @@
 
 #include "acquire/formats/mat/mat_abscissa.hpp"
 #include "acquire/formats/mat/read_mat.hpp"
-#include "support/mat_variables.hpp"
+#include "support/files/mat_variables.hpp"
 #include "support/record_samples.hpp"
 
 // A matrix of samples beside a list of the names of its columns.

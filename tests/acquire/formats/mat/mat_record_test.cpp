@@ -12,8 +12,8 @@
 #include "acquire/record/frf_record.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "support/files/mat_builder.hpp"
 #include "support/input_error.hpp"
-#include "support/mat_builder.hpp"
 #include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -5,8 +5,8 @@
 
 #include "acquire/open_measurement.hpp"
 #include "core/units.hpp"
+#include "support/files/mat_builder.hpp"
 #include "support/input_error.hpp"
-#include "support/mat_builder.hpp"
 #include "support/messages.hpp"
 #include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"

@@ -6,8 +6,8 @@
 #include "acquire/formats/mat/read_mat.hpp"
 #include "acquire/open_measurement.hpp"
 #include "core/units.hpp"
+#include "support/files/mat_variables.hpp"
 #include "support/input_error.hpp"
-#include "support/mat_variables.hpp"
 #include "support/messages.hpp"
 
 // FRFs of MAT files: variables of another class or shape than expected, and the numbers of the points.

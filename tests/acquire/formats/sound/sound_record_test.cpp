@@ -10,7 +10,7 @@
 #include "acquire/open_measurement.hpp"
 #include "acquire/record/record.hpp"
 #include "acquire/write_record.hpp"
-#include "support/csv_text.hpp"
+#include "support/files/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
 #include "support/record_samples.hpp"

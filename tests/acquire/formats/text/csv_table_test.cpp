@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/parallel/parallel.hpp"
-#include "support/csv_text.hpp"
+#include "support/files/csv_text.hpp"
 #include "support/input_error.hpp"
 
 namespace percuss::acquire::csv_table_test {

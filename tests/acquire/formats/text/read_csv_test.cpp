@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/units.hpp"
-#include "support/csv_text.hpp"
+#include "support/files/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
 #include "support/record_samples.hpp"

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "core/units.hpp"
-#include "support/csv_text.hpp"
+#include "support/files/csv_text.hpp"
 #include "support/input_error.hpp"
 
 namespace percuss::acquire::read_frf_text_test {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/units.hpp"
-#include "support/csv_text.hpp"
+#include "support/files/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/record_samples.hpp"
 

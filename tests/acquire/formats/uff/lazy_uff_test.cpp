@@ -10,11 +10,11 @@
 #include "acquire/open_measurement.hpp"
 #include "core/error.hpp"
 #include "core/io/lazy_file.hpp"
-#include "support/csv_text.hpp"
+#include "support/files/csv_text.hpp"
+#include "support/files/uff_text.hpp"
 #include "support/input_error.hpp"
 #include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/uff_text.hpp"
 
 // Universal files so long that their numbers stay on the disk until they are read.
 namespace percuss::acquire::lazy_uff_test {

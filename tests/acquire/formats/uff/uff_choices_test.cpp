@@ -7,10 +7,10 @@
 #include "acquire/formats/uff/uff_contents.hpp"
 #include "acquire/formats/uff/uff_roles.hpp"
 #include "core/units.hpp"
-#include "support/csv_text.hpp"
+#include "support/files/csv_text.hpp"
+#include "support/files/uff_text.hpp"
 #include "support/input_error.hpp"
 #include "support/record_samples.hpp"
-#include "support/uff_text.hpp"
 
 // The choice of functions of data set 58 by options and axes, and unusable abscissas.
 namespace percuss::acquire::uff_choices_test {

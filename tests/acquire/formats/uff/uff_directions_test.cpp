@@ -9,11 +9,11 @@
 #include "acquire/formats/uff/write_uff.hpp"
 #include "acquire/open_measurement.hpp"
 #include "core/units.hpp"
-#include "support/csv_text.hpp"
+#include "support/files/csv_text.hpp"
+#include "support/files/uff_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/uff_text.hpp"
 
 // What the directions of data set 58 mean for signs, points, roving sensors and shapes.
 namespace percuss::acquire::uff_directions_test {

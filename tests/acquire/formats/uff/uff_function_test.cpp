@@ -5,9 +5,9 @@
 
 #include "acquire/formats/uff/uff_contents.hpp"
 #include "core/error.hpp"
-#include "support/csv_text.hpp"
+#include "support/files/csv_text.hpp"
+#include "support/files/uff_text.hpp"
 #include "support/input_error.hpp"
-#include "support/uff_text.hpp"
 
 // Every layout of data set 58 and its ambiguous cases, and the data sets of a geometry, written by hand.
 namespace percuss::acquire::uff_function_test {

@@ -10,12 +10,12 @@
 #include "acquire/record/frf_record.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "support/csv_text.hpp"
+#include "support/files/csv_text.hpp"
+#include "support/files/uff_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
 #include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/uff_text.hpp"
 
 namespace percuss::acquire::uff_record_test {
 

@@ -5,9 +5,9 @@
 
 #include "acquire/channels/csv_columns.hpp"
 #include "acquire/formats/uff/read_uff.hpp"
-#include "support/csv_text.hpp"
+#include "support/files/csv_text.hpp"
+#include "support/files/uff_text.hpp"
 #include "support/record_samples.hpp"
-#include "support/uff_text.hpp"
 
 // Which functions are forces, where neither unit nor type of data state it.
 namespace percuss::acquire::uff_roles_test {

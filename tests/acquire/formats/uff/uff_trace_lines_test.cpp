@@ -9,8 +9,8 @@
 #include "acquire/open_measurement.hpp"
 #include "acquire/write_record.hpp"
 #include "core/error.hpp"
-#include "support/csv_text.hpp"
-#include "support/hdf5_builder.hpp"
+#include "support/files/csv_text.hpp"
+#include "support/files/hdf5_builder.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 

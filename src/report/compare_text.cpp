@@ -1,4 +1,4 @@
-#include "report/text/compare_text.hpp"
+#include "report/compare_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "support/synthetic_files.hpp"
+#include "support/files/synthetic_files.hpp"
 
 #include "acquire/write_record.hpp"
 #include "synth/read_spec.hpp"

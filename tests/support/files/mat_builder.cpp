@@ -1,4 +1,4 @@
-#include "support/mat_builder.hpp"
+#include "support/files/mat_builder.hpp"
 
 #include <gtest/gtest.h>
 #include <matio.h>

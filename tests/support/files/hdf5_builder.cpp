@@ -1,4 +1,4 @@
-#include "support/hdf5_builder.hpp"
+#include "support/files/hdf5_builder.hpp"
 
 #include <stdexcept>
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "support/files/synthetic_files.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/rejection.hpp"
 #include "support/scratch_folder.hpp"
-#include "support/synthetic_files.hpp"
 
 namespace percuss::batch_command_test {
 
