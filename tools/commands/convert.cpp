@@ -39,10 +39,9 @@ std::string take_output(ConvertFlags& flags) {
   return flags.output.paths.front();
 }
 
-// Prints the document of --json; `content` are its keys for a record or for FRFs.
+// Prints the document of --json. `content` are its keys for a record or for FRFs.
 void print_document(const ConvertFlags& flags, const std::string& to, const std::vector<acquire::InputFile>& inputs,
                     const Json& content, const std::vector<Message>& notes, const std::vector<std::string>& losses) {
-  if (!flags.output.json) return;
   Json json{{"schema", "percuss/convert/1"}, {"version", report::version()}, {"inputs", Json::array()}};
   for (const acquire::InputFile& file : inputs) json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
   json["output"] = {{"path", to}, {"bytes", std::filesystem::file_size(to)}};
@@ -65,6 +64,7 @@ void convert_frfs(const ConvertFlags& flags, const std::string& to, std::vector<
   print_losses(flags, losses);
   const acquire::FrfKind kind = flags.read.frf_kind.value_or(record.kind);
   acquire::write_frfs(to, record, kind, flags.output.force);
+  if (!flags.output.json) return;
   const Json content{{"content", "frfs"},
                      {"frf_kind", acquire::name_of(kind)},
                      {"lines", record.lines.count},
@@ -85,6 +85,7 @@ int convert(ConvertFlags flags) {
   const std::vector<std::string> losses = acquire::losses_of(to, record);
   print_losses(flags, losses);
   acquire::write_record(to, record, flags.output.force);
+  if (!flags.output.json) return kOk;
   const Json content{{"content", "record"},        {"fs_hz", record.fs_Hz},
                      {"rows", record.rows.size()}, {"points", record.points().size()},
                      {"force", record.has_force},  {"responses", record.accel.size()}};

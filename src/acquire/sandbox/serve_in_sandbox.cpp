@@ -1,10 +1,14 @@
 #include "acquire/sandbox/serve_in_sandbox.hpp"
 
+#include <cxxabi.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <exception>
 #include <new>
+#include <typeinfo>
 
 #include "acquire/sandbox/child_process.hpp"
 #include "acquire/sandbox/enter_sandbox.hpp"
@@ -15,6 +19,13 @@ namespace percuss::acquire {
 namespace {
 
 constexpr int kFailedExitCode = 12;
+
+// An exception where none may escape. The handler of the parent, which the child inherits, would print a second message
+// and remove the parent's temporary files.
+[[noreturn]] void end_child() {
+  const std::type_info* const type = abi::__cxa_current_exception_type();
+  std::_Exit(type != nullptr && *type == typeid(std::bad_alloc) ? kNoMemoryExitCode : kFailedExitCode);
+}
 
 void serve(const ReaderDescriptors& descriptors, const std::string& path, const std::function<SandboxService()>& open) {
   reset_signals();
@@ -57,6 +68,7 @@ double* map_shared_numbers(int memory) {
 // No exception may leave this function: after the fork, its callers on the stack are code of the parent.
 int serve_in_sandbox(const ReaderDescriptors& descriptors, const std::string& path,
                      const std::function<SandboxService()>& open) {
+  std::set_terminate(end_child);
   try {
     serve(descriptors, path, open);
     return 0;
