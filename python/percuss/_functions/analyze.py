@@ -152,7 +152,7 @@ def analyze(
         Compute and report only these sections.
     picture : {'magnitude', 'phase', 'coherence', 'force', 'response', 'spectrum', 'decay', 'stabilisation', 'movement'} or a list of them, optional
         Draw these pictures in a .svg file.
-    compare : path, array, dict or Result, or a list of them, optional
+    compare : path, dict or Result, or a list of them, optional
         Compare with this document, which analyze, survey or model wrote.
     per_hit : bool, optional
         Add every mode as fitted to each hit alone.
@@ -163,10 +163,9 @@ def analyze(
     bat : dict or str, optional
         Store a property of the bat in the document, such as length_in=33.
     trace : bool, optional
-        Report the stages that ran: calls and seconds (on standard error, or in the JSON document).
+        Report the stages that ran: calls and seconds.
     explain : bool, optional
-        Report the work that was skipped, and the reason (on standard error, or in the JSON
-        document).
+        Report the work that was skipped, and the reason.
 
     Returns
     -------
@@ -204,7 +203,7 @@ def analyze(
         Set the distance of each accelerometer from the end of the barrel.
     frf_kind : {'accelerance', 'mobility', 'receptance'}, optional
         Set the kind of the FRFs, in place of the file's.
-    setup : path, array, dict or Result, optional
+    setup : path or dict, optional
         Read the channel set-up from this file (JSON; `percuss.example("info")` prints one).
     files : {'hits', 'points', 'tests'}, optional
         Group several files: as hits of one test, as points of one test, or as separate tests

@@ -36,16 +36,16 @@ def calibrate(
     A freely hanging mass accelerates by force / mass under a hit. Computes the N per unit of the
     force channel from the measured acceleration, with its standard deviation. The unit is the one
     of the stored numbers, such as mV. The last line of the printed text states the `force_scale` to
-    use. The force may be stored in any unit; the options under Reading set the unit of the
+    use. The force may be stored in any unit; the keywords for reading files set the unit of the
     acceleration.
 
     Parameters
     ----------
     *data : path, array or Record
-        Files (HDF5, MAT, UFF, LabVIEW, sound, CSV or text); or two arrays, force in N and
-        acceleration in m/s², with `fs`, in the shapes that `Record` takes; or records. Arrays are
-        not copied: do not change them before the function returns, or while the result still
-        computes.
+        Files (HDF5, MAT, UFF, LabVIEW, sound, CSV or text); or two arrays, force as stored and
+        acceleration in m/s² or in `unit`, with `fs`, in the shapes that `Record` takes; or records.
+        Arrays are not copied: do not change them before the function returns, or while the result
+        still computes.
     mass : float in kg
         Set the free mass, including its accelerometer.
     fs : float or str in Hz, optional
@@ -90,7 +90,7 @@ def calibrate(
         Set the distance of each accelerometer from the end of the barrel.
     frf_kind : {'accelerance', 'mobility', 'receptance'}, optional
         Set the kind of the FRFs, in place of the file's.
-    setup : path, array, dict or Result, optional
+    setup : path or dict, optional
         Read the channel set-up from this file (JSON; `percuss.example("info")` prints one).
     files : {'hits', 'points', 'tests'}, optional
         Group several files: as hits of one test, as points of one test, or as separate tests

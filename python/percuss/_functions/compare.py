@@ -24,8 +24,9 @@ def compare(
     """Compare modes or deflections of tests and models side by side.
 
     Pairs the modes of the first document with the modes of each other document, by frequency and
-    shape, and shows the differences. Compares the deflections of two documents likewise. analyze,
-    survey, deflect and model write such documents.
+    shape, and shows the differences. The MAC is that of the shapes over the common points, or over
+    the channels where there are fewer than three points. Compares the deflections of two documents
+    likewise. analyze, survey, deflect and model write such documents.
 
     Parameters
     ----------

@@ -96,7 +96,7 @@ def deflect(
         Set the distance from the light beam to the structure; gives the speed of the ball.
     beam_time : float in s, optional
         Set the time at which the ball crosses the light beam, from the start of the record.
-    compare : path, array, dict or Result, or a list of them, optional
+    compare : path, dict or Result, or a list of them, optional
         Compare modes and deflections with this document, which analyze or model wrote.
     beam : dict or str, optional
         Compare modes and deflections with this beam of percuss model: ei, rho_a, torsion, length,
@@ -204,7 +204,7 @@ def deflect(
         Set the distance of each accelerometer from the end of the barrel.
     frf_kind : {'accelerance', 'mobility', 'receptance'}, optional
         Set the kind of the FRFs, in place of the file's.
-    setup : path, array, dict or Result, optional
+    setup : path or dict, optional
         Read the channel set-up from this file (JSON; `percuss.example("info")` prints one).
     files : {'hits', 'points', 'tests'}, optional
         Group several files: as hits of one test, as points of one test, or as separate tests

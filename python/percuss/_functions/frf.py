@@ -173,7 +173,7 @@ def frf(
         Set the distance of each accelerometer from the end of the barrel.
     frf_kind : {'accelerance', 'mobility', 'receptance'}, optional
         Set the kind of the FRFs, in place of the file's.
-    setup : path, array, dict or Result, optional
+    setup : path or dict, optional
         Read the channel set-up from this file (JSON; `percuss.example("info")` prints one).
     files : {'hits', 'points', 'tests'}, optional
         Group several files: as hits of one test, as points of one test, or as separate tests

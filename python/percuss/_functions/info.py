@@ -32,9 +32,8 @@ def info(
     """Describe files: kind, channels, units, rate, rows, and parts that cannot be read.
 
     Describes each file and its samples: rate, rows and hits; rms and peak of each channel, and
-    whether it looks like a hammer; on a terminal also a picture over time. Reports parts that
-    cannot be understood. Start here with a new file: analyze makes the same assumptions, and the
-    options under Reading change them.
+    whether it looks like a hammer. Reports parts that cannot be understood. Start here with a new
+    file: analyze makes the same assumptions, and the keywords for reading files change them.
 
     Parameters
     ----------
@@ -71,7 +70,7 @@ def info(
         Set the distance of each accelerometer from the end of the barrel.
     frf_kind : {'accelerance', 'mobility', 'receptance'}, optional
         Set the kind of the FRFs, in place of the file's.
-    setup : path, array, dict or Result, optional
+    setup : path or dict, optional
         Read the channel set-up from this file (JSON; `percuss.example("info")` prints one).
     files : {'hits', 'points', 'tests'}, optional
         Group several files: as hits of one test, as points of one test, or as separate tests

@@ -42,7 +42,7 @@ def study(
         Count the bats of these certification programs in statements, trends and correlations;
         default: besr and bats without a program; if there are none, the program with the most bats;
         all: every bat.
-    hoop_curve : path, array, dict or Result, optional
+    hoop_curve : path, dict or Result, optional
         Draw this model over the hoop figures; a document of percuss model trampoline.
     blind : path, optional
         Replace the ids of the bats by neutral ones, and write the key to this file.
@@ -82,7 +82,7 @@ def study(
 
     Notes
     -----
-    The keywords are the options of `percuss study`; docs/theory/theory.md has the equations.
+    The keywords are the options of `percuss study`; docs/theory/performance.md has the equations.
     """
     return Result(run_on_documents("metrics.study", "study", tables, {
         "figures": figures, "program": program, "hoop_curve": hoop_curve, "blind": blind, "table": table,

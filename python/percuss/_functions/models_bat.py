@@ -58,7 +58,7 @@ def bat(
 
     Parameters
     ----------
-    profile : path, array, dict or Result
+    profile : path, array or dict
         Read the sections from this file: a position and a diameter, or width and thickness, in each
         line; with a line of names also wall, young, shear, density, and wall_2, young_2 … of
         further layers.

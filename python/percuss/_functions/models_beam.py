@@ -66,7 +66,7 @@ def beam(
     layer : (young, width, height[, density]) or a list of them, optional
         Add a layer of the section, from the underside up, in Pa, m, m and kg/m³; layers replace
         `ei`, and layers with a density also `rho_a`.
-    profile : path, array, dict or Result, optional
+    profile : path, array or dict, optional
         Read the sections from this file: a position and a diameter, or width and thickness, in each
         line; with a line of names also wall, young, shear, density, and wall_2, young_2 … of
         further layers.

@@ -143,11 +143,11 @@ def survey(
         Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB).
     paper : {'a4', 'letter'}, optional
         Set the paper on which the page is printed. Default: a4.
-    geometry : path, array, dict or Result, optional
+    geometry : path, array or dict, optional
         Read the geometry from this file, a CSV as `percuss.example("survey")` prints it (default:
         from the record).
     roving : {'hammer', 'sensor'}, optional
-        Choose what moved from point to point. Default: hammer.
+        Choose what moved from point to point (default: as the file states, else hammer).
     driving_point : (point, channel) or a list of them, optional
         Name driving points: a point struck beside the sensor of a channel, by the point's number
         and the channel's, which counts from 0 as in JSON; 1:0 is point 1 and the first channel
@@ -194,7 +194,7 @@ def survey(
         Set the distance of each accelerometer from the end of the barrel.
     frf_kind : {'accelerance', 'mobility', 'receptance'}, optional
         Set the kind of the FRFs, in place of the file's.
-    setup : path, array, dict or Result, optional
+    setup : path or dict, optional
         Read the channel set-up from this file (JSON; `percuss.example("info")` prints one).
     files : {'hits', 'points', 'tests'}, optional
         Group several files: as hits of one test, as points of one test, or as separate tests
