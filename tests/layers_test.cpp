@@ -290,8 +290,9 @@ TEST(Folders, HoldAtMost25Units) {
 }
 
 TEST(Folders, OfTestsMirrorTheSources) {
-  std::set<std::string> folders{"commands", "commands/inputs", "commands/model", "commands/record",
-                                "docs",     "hostile",         "stress",         "support"};
+  std::set<std::string> folders{"commands",       "commands/batch",  "commands/info", "commands/inputs",
+                                "commands/model", "commands/record", "docs",          "hostile",
+                                "stress",         "support"};
   for (const auto& source : sources()) {
     for (std::string folder = source.folder; !folder.empty(); folder = fs::path(folder).parent_path().generic_string())
       folders.insert(folder);
