@@ -16,6 +16,7 @@ using test::ProcessOutcome;
 using testing::AnyOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 const std::string kCorpus = PERCUSS_SOURCE_DIR "/fuzz/corpus/";
 
@@ -60,7 +61,9 @@ class Faults : public testing::Test {
       // permitted), or never end (then the time limit of the reader ends it).
       ASSERT_THAT(outcome.err, AnyOf(HasSubstr("memory"), HasSubstr("Operation not permitted"),
                                      HasSubstr("limit for a file of this size")));
-      ASSERT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
+      // info goes on after a file that cannot be read, and may then lack memory itself.
+      ASSERT_LE(test::lines_of(outcome.err).size(), arguments.front() == "info" ? 2U : 1U) << outcome.err;
+      ASSERT_THAT(outcome.err, Not(IsEmpty()));
       ASSERT_THAT(folder_.names(), IsEmpty());
     }
     EXPECT_GT(failures, 10);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "acquire/hits/clipping.hpp"
+#include "core/io/counted_words.hpp"
 #include "core/math/statistics.hpp"
 
 namespace percuss::acquire {
@@ -33,10 +34,11 @@ void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse, b
   std::size_t clipped = count_clipped_samples(within, block_extremes(within, kClippingBlock), x, 0);
   if (clipped == 0 && is_flat_pair(within, x)) clipped = 2;
   if (clipped > 0) {
-    hit.findings.push_back({.code = FindingCode::overload,
-                            .severity = Severity::reject,
-                            .value = static_cast<double>(clipped),
-                            .message = fmt::format("force clipped in {} samples; raise the input range", clipped)});
+    hit.findings.push_back(
+        {.code = FindingCode::overload,
+         .severity = Severity::reject,
+         .value = static_cast<double>(clipped),
+         .message = fmt::format("force clipped in {} sample{}; raise the input range", clipped, plural(clipped))});
   }
   if (hit.peak_N < 0) {
     hit.findings.push_back({.code = FindingCode::polarity,

@@ -8,6 +8,7 @@
 
 #include "acquire/hits/clipping.hpp"
 #include "acquire/hits/pulse_shape.hpp"
+#include "core/io/counted_words.hpp"
 #include "core/math/statistics.hpp"
 
 namespace percuss::acquire {
@@ -213,11 +214,11 @@ void add_response_findings(Hit& hit, const std::vector<ResponseGrade>& channels)
     if (grade.truncated && (worst == nullptr || grade.end_level_dB > worst->end_level_dB)) worst = &grade;
   }
   if (clipped > 0) {
-    hit.findings.push_back(
-        {.code = FindingCode::overload,
-         .severity = Severity::reject,
-         .value = static_cast<double>(clipped),
-         .message = fmt::format("acceleration clipped in {} samples; raise the input range", clipped)});
+    hit.findings.push_back({.code = FindingCode::overload,
+                            .severity = Severity::reject,
+                            .value = static_cast<double>(clipped),
+                            .message = fmt::format("acceleration clipped in {} sample{}; raise the input range",
+                                                   clipped, plural(clipped))});
   }
   if (worst != nullptr) {
     hit.findings.push_back(
