@@ -94,8 +94,8 @@ TEST(PublicErrors, RefuseGeometriesThatDoNotFitTogether) {
       {{.points = one, .faces = {{0, 0, 7}}}, "point 7 is connected, but not listed"},
       {{.points = one, .faces = {{0, 0}}}, "fewer than three corners"},
       {{.points = one, .axis = 3}, "no such axis"}};
-  for (const auto& [geometry, problem] : bad)
-    EXPECT_THAT(input_error_of([&] { Survey(record, {.geometry = geometry}); }), HasSubstr(problem));
+  for (const auto& refused : bad)
+    EXPECT_THAT(input_error_of([&] { Survey(record, {.geometry = refused.first}); }), HasSubstr(refused.second));
 }
 
 TEST(PublicErrors, RefuseArraysThatDoNotFitTogether) {
