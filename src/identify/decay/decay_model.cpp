@@ -168,18 +168,10 @@ DecaySpectra DecayModel::residual() const {
 std::vector<std::pair<std::size_t, std::size_t>> DecayModel::windows_of(const std::vector<std::size_t>& members,
                                                                         const DecayWindows& windows) const {
   std::vector<std::pair<std::size_t, std::size_t>> ranges;  // first, one past the last
-  for (const std::size_t m : members) {
-    const auto range = window_of(modes_[m].rate, *measured_, windows);
-    if (!ranges.empty() && range.first <= ranges.back().second) {
-      ranges.back().second = std::max(ranges.back().second, range.second);
-    } else {
-      ranges.push_back(range);
-    }
-  }
-  std::sort(ranges.begin(), ranges.end());
+  for (const std::size_t m : members) ranges.push_back(window_of(modes_[m].rate, *measured_, windows));
+  std::sort(ranges.begin(), ranges.end());  // a broad mode's window may begin below its lower neighbour's
   std::vector<std::pair<std::size_t, std::size_t>> merged;  // first, count
   for (const auto& [first, last] : ranges) {
-    // A broad mode's window may begin below its lower neighbour's.
     if (!merged.empty() && first <= merged.back().first + merged.back().second) {
       auto& [start, count] = merged.back();
       count = std::max(start + count, last) - start;

@@ -73,7 +73,7 @@ bool descend(LocalProblem& problem, const LocalFitOptions& options, std::size_t 
 }
 
 void add_uncertainty(LocalFit& fit, const VariableProjection& projection, LocalProblem& problem,
-                     const VectorXd& noise_scale, const WindowNoise& window) {
+                     const VectorXd& noise_scale, const LocalFitOptions& options, const WindowNoise& window) {
   const ProjectedState& state = problem.state();
   const std::size_t modes = fit.poles.size();
   // |residual|² per line is the sum of two equal variances, of real and imaginary part, and so is noise_scale².
@@ -101,7 +101,8 @@ void add_uncertainty(LocalFit& fit, const VariableProjection& projection, LocalP
             std::max(0.0, window.of_residue(pole) * linear + 0.5 * window.of_residue_by_pole(pole) * from_poles));
       }
       const auto residual = part.residual.col(column);
-      const double freedom = std::max(1.0, static_cast<double>(residual.size() - static_cast<Index>(modes) - 2));
+      const auto eliminated = static_cast<Index>(modes + options.residual_terms);
+      const double freedom = std::max(1.0, static_cast<double>(residual.size() - eliminated));
       fit.noise(o) = std::sqrt(residual.squaredNorm() / freedom);
     }
   }
@@ -127,7 +128,7 @@ LocalFit fit_locally(const FrfDataset& set, const std::vector<VectorXcd>& data, 
   fit.converged = descend(problem, options, fit.degrees);
   fit.poles = problem.poles();
   fit.cost = problem.cost();
-  add_uncertainty(fit, projection, problem, noise_scale, WindowNoise(set));
+  add_uncertainty(fit, projection, problem, noise_scale, options, WindowNoise(set));
   return fit;
 }
 

@@ -43,6 +43,7 @@ struct ModeScatter {
   Known known;
   ScatterOfHits freq, damping;
   bool freq_differs = false, damping_differs = false;
+  double damping_shift = 0;  // of the mode, by take_mean()
   bool significant() const { return freq_differs || damping_differs; }
   HitSeries series(std::size_t mode, bool is_freq) const {
     return {.mode = mode,
@@ -69,13 +70,14 @@ ModeScatter scatter_of_mode(const HitPoles& poles, const std::vector<double>& pe
 // The mean of the hits' poles in place of the pole of their average. Both come from the same window, whose misfit
 // cancels in their difference. Frequencies that differ raise the damping of the average. Damping ratios that differ
 // leave its frequency unchanged.
-void take_mean(Mode& mode, const ModeScatter& scatter, const HitPole& together) {
+void take_mean(Mode& mode, ModeScatter& scatter, const HitPole& together) {
   if (!together.known) return;
   const double freq_shift_Hz = scatter.freq.mean - together.pole.freq_Hz;
   const double damping_shift = scatter.damping.mean - together.pole.damping_ratio;
   if (std::abs(freq_shift_Hz) > mode.pole.half_power_Hz() || -damping_shift > 0.5 * mode.pole.damping_ratio) return;
   if (scatter.freq_differs) mode.pole.freq_Hz += freq_shift_Hz;
   mode.pole.damping_ratio += damping_shift;
+  scatter.damping_shift = damping_shift;
 }
 
 void add_part(const ScatterOfHits& scatter, StdParts& parts, double& spread, double& total) {
@@ -93,7 +95,7 @@ void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window
     const ModeScatter again = scatter_of_mode(fitted[i], peak_N);
     if (!scatter[m].significant() || again.known.hits.size() < scatter[m].known.hits.size()) continue;
     scatter[m] = again;
-    if (again.significant()) take_mean(modes[m], again, fitted[i].together);
+    if (again.significant()) take_mean(modes[m], scatter[m], fitted[i].together);
   }
   move_residues(set, window, before, modes);
 }
@@ -168,6 +170,10 @@ void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const WindowedH
     if (scatter[m].damping_differs) {
       add_part(scatter[m].damping, mode.damping_std_parts, mode.hit_scatter_damping, mode.damping_std);
       series.push_back(scatter[m].series(m, false));
+    } else if (scatter[m].damping_shift != 0) {
+      // The shift is as uncertain as the hits' poles, which are less certain than the mode where it is one of a pair.
+      mode.damping_std_parts.hits = std::min(std::abs(scatter[m].damping_shift), scatter[m].damping.std);
+      mode.damping_std = mode.damping_std_parts.total();
     }
   }
   explain_scatter(series, peak_N, modes);
