@@ -136,7 +136,7 @@ True
     ),
     Function(
         "compare", "compare", "Result", "`pairs`, `unpaired_a` and `unpaired_b`.",
-        parts=(("*documents", "File", "Result, dict or path", "Two or more results of `analyze`, `survey`, `deflect` or `models`, or their documents."),),
+        parts=(("*documents", "File", "Result, dict or path", "Two or more results of `analyze`, `survey`, `deflect`, `models.beam`, `models.bat`, `models.impact` or `models.shell`, or their documents."),),
         see_also=(("mac", "the modal assurance criterion of two sets of shapes"),),
         example="""
 >>> import percuss

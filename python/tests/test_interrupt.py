@@ -8,7 +8,7 @@ import pytest
 
 import percuss
 
-SOON_S = 2.0  # checks come every few milliseconds; the rest is for a busy machine
+SOON_S = 2.0  # the module looks for signals every 20 ms; the rest is for a busy machine
 
 HEAD = """
 import signal, time, numpy as np, percuss

@@ -19,7 +19,8 @@ constexpr const char* kDrivingPlaces = "which points were struck beside a sensor
                    fmt::format("name a file that ends in {}", fmt::join(extensions, ", ")));
 }
 
-// No format has a place for what UFF states of directions; `test` is a Record or FrfRecord.
+// percuss writes into no format, not even UFF, the directions of motion that a universal file states; `test` is a
+// Record or FrfRecord.
 template <class Test>
 void add_lost_directions(const Test& test, std::vector<std::string>& losses) {
   if (!test.motions.empty()) losses.emplace_back("the directions of motion");

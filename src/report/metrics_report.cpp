@@ -115,7 +115,7 @@ std::vector<MetricLine> metric_lines(const metrics::BatReadings& r, const metric
           {"besr", "", "BESR", m.besr, speeds ? "(P6)" : by(r.besr.has_value(), "(P9)")},
           {"ncaa_besr", "", "NCAA BESR", m.ncaa_besr, "(P7)"},
           {"bbs_mph", "mph", "batted-ball speed", in_unit(m.bbs_mps, mph), "(P8)"},
-          {"bbcor", "", "BBCOR", m.bbcor, by(!m.besr, "(P9)")},
+          {"bbcor", "", "BBCOR", m.bbcor, by(r.bbcor && !(speeds && m.k), "(P9)")},
           {"v_contact_mph", "mph", "contact speed", in_unit(m.contact_mps, mph), "(P5)"},
           {"v_swing_mph", "mph", "swing speed", in_unit(m.swing_mps, mph), by(r.swing_mps.has_value(), "(P4)")},
           {"k", "", "k", m.k, "(P10)"}};

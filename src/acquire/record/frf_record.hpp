@@ -26,7 +26,7 @@ struct FrfRecord {
   std::vector<SignalInfo> accel;  // [channels]; to_SI is the factor applied to the stored FRF: unit and sign
   std::vector<PointFrf> frfs;     // [points × channels], point by point, ascending
   std::string estimator{};        // "H1", "H2", "Hv"; empty: not stated
-  std::vector<std::vector<double>> geometry;  // [points][3], as in Record; may be empty
+  std::vector<std::vector<double>> geometry;  // as in Record; may be empty
   std::vector<TraceLine> trace_lines;         // likewise
   std::vector<TraceFace> trace_faces;         // likewise
   std::vector<DrivingPlace> driving;          // likewise

@@ -27,7 +27,7 @@ struct TypeEvidence {
 /// Modes that all have the hoop ratio may therefore all be bending modes in a plane at −45° to the first sensor. The
 /// prior favours this if the lowest frequency is low, because a bat's lowest mode is a bending mode. The two planes of
 /// one bending mode are at right angles. Both members of a hoop pair have the hoop ratio. A hammer at an unknown angle
-/// λ to such a pair excites its members as cos λ : sin λ.
+/// φ from an antinode of one member excites the two as cos 2φ : sin 2φ.
 /// theory (6.6)
 std::vector<TypePosterior> type_posteriors(const std::vector<TypeEvidence>& modes, const RatioLikelihood& likelihood);
 

@@ -10,7 +10,7 @@ namespace percuss::identify {
 struct FrfChannel {
   std::size_t point = 0;     // index into FrfDataset::points
   std::size_t channel = 0;   // index of the acceleration channel
-  std::vector<Complex> frf;  // H1 [lines], (m/s²)/N
+  std::vector<Complex> frf;  // [lines], (m/s²)/N; of hits: H1
 };
 
 /// The FRFs of a test. All FRFs share the spectral lines; the FRFs of one impact point share its hits.

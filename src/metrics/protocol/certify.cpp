@@ -23,19 +23,19 @@ double inertia_ratio(const Session& s, double z_in, double ball_g) {
 
 // (P11)
 void judge_lot(const Session& s, const ProtocolLimits& limits, Certification& out) {
-  std::vector<double> ratios;
+  std::vector<double> corrections;
   for (const SessionShot& hit : s.lot.hits) {
     JudgedShot judged = judge_shot(s, hit, kNominalSpeed_mph, out.balls[hit.ball], limits);
-    if (judged.valid()) ratios.push_back(limits.lot_ratio - hit.out_mph / hit.in_mph);
+    if (judged.valid()) corrections.push_back(limits.lot_ratio - hit.out_mph / hit.in_mph);
     judged.counted = judged.valid();
     out.lot_hits.push_back(std::move(judged));
   }
-  out.valid_lot_hits = ratios.size();
+  out.valid_lot_hits = corrections.size();
   if (s.lot.correction) {
     out.correction = s.lot.correction;
-  } else if (ratios.size() >= limits.lot_hits) {
-    out.correction = mean_of(ratios);
-    out.correction_std = standard_error_of(ratios);
+  } else if (corrections.size() >= limits.lot_hits) {
+    out.correction = mean_of(corrections);
+    out.correction_std = standard_error_of(corrections);
   }
 }
 

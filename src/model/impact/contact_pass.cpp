@@ -73,7 +73,7 @@ ImpactResult ContactPass::run(bool series) {
       dt_s = bracketed_root([&](double t) { return t == 0 ? start_event_m : move_to(t); }, 0, dt_s);
       move_to(dt_s);
     }
-    update_peaks(before, dt_s);
+    finish_step(before, dt_s);
     result_.energy_error = std::max(result_.energy_error, std::abs(now_.energy_J / energy_J - 1));
   }
   result_.contact_s = time_s_;
@@ -101,7 +101,7 @@ double ContactPass::move_to(double dt_s) {
   return now_.contact_event_m;
 }
 
-void ContactPass::update_peaks(const BallOnBeamReading& before, double dt_s) {
+void ContactPass::finish_step(const BallOnBeamReading& before, double dt_s) {
   const CubicMaximum force =
       maximum_of_cubic(before.force_N, before.force_rate_Nps, now_.force_N, now_.force_rate_Nps, dt_s);
   result_.peak_force_N = std::max(result_.peak_force_N, force.value);

@@ -24,8 +24,8 @@ class ContactPass {
   double next_step_s() const;
   // Moves from the saved state by dt_s. Returns BallOnBeamReading::contact_event_m of the new state.
   double move_to(double dt_s);
-  // Updates the largest force and deflection, which may lie within the step.
-  void update_peaks(const BallOnBeamReading& before, double dt_s);
+  // Updates the largest force and deflection, which may lie within the step, and advances the time by dt_s.
+  void finish_step(const BallOnBeamReading& before, double dt_s);
   void append_moment(bool wanted);
 
   BallOnBeam& system_;

@@ -29,8 +29,8 @@ struct TrampolineForces {
 
 /// Integrates a contact from its start to its end with an eighth-order Runge–Kutta method. It steps in s, where
 ///   t = t₀ + τ s⁴    (1)
-/// The force starts like (t − t₀)ᵇ. It has no derivative with respect to t at t₀, but several with respect to s. The
-/// end of the contact is found by repeating the last step with other lengths.
+/// The force starts like (t − t₀)ᵇ, that is like s⁴ᵇ. For the default b = 0.52, it has no derivative with respect to t
+/// at t₀, but two with respect to s. The end of the contact is found by repeating the last step with other lengths.
 class ContactSolver {
  public:
   explicit ContactSolver(const TrampolineForces& forces);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/math/statistics.hpp"
 #include "pipeline/channels/robust_slope.hpp"
@@ -14,16 +15,21 @@ constexpr double kRoundingOfFreq = 1e-9;  // relative
 
 // Data of a linear regression, one value per point, both about their medians.
 struct RegressionData {
-  std::vector<double> square;  // squared residue over the largest
+  std::vector<double> square;  // squared residue, summed over the channels of a point, over the largest
   std::vector<double> freq;    // relative frequency
 };
 
 RegressionData regression_data(const identify::Mode& mode) {
   RegressionData data;
+  std::map<std::size_t, std::size_t> place_of;  // in `data`, by point
   for (const identify::Residue& residue : mode.residues) {
     if (!residue.own_pole) continue;
-    data.square.push_back(std::norm(residue.value));
-    data.freq.push_back(residue.own_pole->freq_Hz / mode.pole.freq_Hz - 1);
+    const auto [at, is_first] = place_of.emplace(residue.point, data.square.size());
+    if (is_first) {
+      data.square.push_back(0);
+      data.freq.push_back(residue.own_pole->freq_Hz / mode.pole.freq_Hz - 1);
+    }
+    data.square[at->second] += std::norm(residue.value);
   }
   if (data.square.size() < kMinPoints) return {};
   const double most = *std::max_element(data.square.begin(), data.square.end());

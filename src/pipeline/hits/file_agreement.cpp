@@ -33,7 +33,7 @@ Energy compare(const Members& own, const Members& others, const std::vector<HitS
   return energy;
 }
 
-// A file of several hits which all are outliers among the other files' hits.
+// A file of several hits which all are outliers among the hits, each with less than half of its energy explained.
 std::optional<FileDisagreement> file_of_outliers(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {
   constexpr std::size_t kMinHits = 2;  // one outlier is a bad hit
   struct Count {

@@ -16,7 +16,8 @@ struct FileDisagreement {
 };
 
 /// The file whose responses the other files explain least, if they explain less than half of the energy. Files are
-/// compared point by point, by their accepted hits. A file of two hits or more that are all outliers disagrees, too.
+/// compared point by point, by their accepted hits. A file of two hits or more disagrees, too, if all are outliers,
+/// each with less than half of its energy explained by the other hits.
 /// Nothing where no two files share a point.
 std::optional<FileDisagreement> disagreeing_file(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                                  const std::vector<HitSpectra>& spectra);

@@ -113,7 +113,7 @@ bool leave_out_disturbances(ResponseTest& test, const std::vector<std::optional<
     } else {
       hit.accepted = false;
       hit.reason = fmt::format("another blow or a contact {:.3g} s after the impact",
-                               static_cast<double>(*sample) / test.record.fs_Hz);
+                               hit.clipped_s + static_cast<double>(*sample) / test.record.fs_Hz);
     }
   }
   return changed;

@@ -19,10 +19,10 @@ constexpr std::size_t kMaxListed = 8;  // hits or tones in one message
 constexpr const char* kStopMachine = "look for a machine nearby, and measure while it stands still";
 constexpr double kMainsDeviation = 0.005;  // of the mains' frequency from 50 or 60 Hz
 
-// One kind of fault over all hits.
+// One kind of fault over all hits: the place of the first in each hit, the largest size of all.
 struct FaultSummary {
   std::string where;  // "hit 1 (3 samples, 81.3 ms after the blow), …"
-  std::size_t hits = 0, most = 0;
+  std::size_t hits = 0;
   double size_mps2 = 0;
 };
 
@@ -41,8 +41,9 @@ FaultSummary summary_of(const std::vector<HitFaults>& faults, const acquire::Rec
                                of_hit.hit + 1, fault->count, fault->count == 1 ? "" : "s", after_s * 1e3);
     }
     ++out.hits;
-    out.most = std::max(out.most, fault->count);
-    out.size_mps2 = std::max(out.size_mps2, fault->size);
+    for (auto other = fault; other != of_hit.faults.end(); ++other) {
+      if (concerns(*other)) out.size_mps2 = std::max(out.size_mps2, other->size);
+    }
   }
   if (out.hits > kMaxListed)
     out.where += fmt::format(" and {} more hit{}", out.hits - kMaxListed, out.hits - kMaxListed == 1 ? "" : "s");

@@ -9,7 +9,7 @@ namespace percuss::report {
 struct MacMatrix {
   std::string caption;
   std::vector<std::string> rows, columns;
-  std::vector<std::vector<std::optional<double>>> values;  // [rows][columns]; nothing without common places
+  std::vector<std::vector<std::optional<double>>> values;  // [rows][columns]; nothing: fewer than three common places
 };
 
 }  // namespace percuss::report

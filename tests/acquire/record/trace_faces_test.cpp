@@ -76,7 +76,7 @@ TEST_F(TraceFaceFiles, AreKeptByEveryFormatThatHoldsThem) {
 
 TEST_F(TraceFaceFiles, AreNamedWhereAUniversalFileLosesThem) {
   const std::string path = folder_.file("r.uff"),
-                    part = "faces other than triangles and quadrilaterals between coordinates";
+                    part = "faces without three or four corners, or with a corner without coordinates";
   record_.geometry.push_back({0.5, 2, 0});
   record_.geometry.push_back({kNan, kNan, kNan});
   for (const TraceFace& lost : {TraceFace{0, 1, 2, 4, 3}, TraceFace{0, 1, 5}}) {

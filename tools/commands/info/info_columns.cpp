@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 }  // namespace
 
-std::string plural(std::size_t count, const char* what) {
+std::string counted(std::size_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
@@ -39,7 +39,7 @@ Json columns_json(const std::string& path, const acquire::AmbiguousColumns& seen
 
 std::string columns_text(const std::string& path, const acquire::AmbiguousColumns& seen, std::size_t width) {
   std::string text = one_line(input_name(path), 400) + ": " + seen.format + ", " +
-                     plural(seen.columns.size(), seen.format == "CSV" ? "column" : "signal");
+                     counted(seen.columns.size(), seen.format == "CSV" ? "column" : "signal");
   if (seen.fs_Hz) text += fmt::format(", {:.10g} Hz", *seen.fs_Hz);
   report::TextTable table({{"  number", report::TextTable::Align::right}, {"name"}, {"unit"}, {""}});
   for (const auto& column : seen.columns) {

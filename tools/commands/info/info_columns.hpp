@@ -11,6 +11,6 @@ nlohmann::ordered_json columns_json(const std::string& path, const acquire::Ambi
 std::string columns_text(const std::string& path, const acquire::AmbiguousColumns& seen, std::size_t width);
 
 /// "3 rows", "1 row".
-std::string plural(std::size_t count, const char* what);
+std::string counted(std::size_t count, const char* what);
 
 }  // namespace percuss::tools

@@ -50,7 +50,7 @@ Recording open_recording(const RecordFlags& flags, const InterruptedSession& int
   Recording out{.stream = nullptr,
                 .channels = pipeline::live_channels(acquire::stream_format(device->format(), options.channels), read,
                                                     device->format().notes)};
-  check_window(out.channels.description, flags);
+  check_recording(out.channels.description, flags);
   out.stream = std::make_unique<acquire::CaptureStream>(std::move(device), options);
   return out;
 }

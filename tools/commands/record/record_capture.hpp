@@ -17,7 +17,7 @@ struct Recording {
 /// Opens the device and begins the journal, or goes on with the journal of an interrupted session. Set-up, length and
 /// band are checked against the device before there is a journal.
 /// errors  OptionError: a description of a pipe that is not understood; InputError: as CaptureStream, live_channels and
-/// check_window
+/// check_recording
 Recording open_recording(const RecordFlags& flags, const InterruptedSession& interrupted);
 
 }  // namespace percuss::tools

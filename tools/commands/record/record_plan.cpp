@@ -75,7 +75,7 @@ pipeline::GuideOptions guide_options(const RecordFlags& flags) {
   return options;
 }
 
-void check_window(const acquire::Record& description, const RecordFlags& flags) {
+void check_recording(const acquire::Record& description, const RecordFlags& flags) {
   const double fs_Hz = description.fs_Hz;
   if (fs_Hz < kLowestRate_Hz) {
     throw InputError(fmt::format("{:.6g} Hz is too low a sampling rate: a pulse has too few samples", fs_Hz),

@@ -11,6 +11,6 @@ pipeline::GuideOptions guide_options(const RecordFlags& flags);
 /// Refuses a sampling rate below 100 Hz, a band that the rate cannot hold, a pre-trigger without a sample, and a length
 /// shorter than two pre-triggers.
 /// errors  InputError
-void check_window(const acquire::Record& description, const RecordFlags& flags);
+void check_recording(const acquire::Record& description, const RecordFlags& flags);
 
 }  // namespace percuss::tools

@@ -35,7 +35,7 @@ void add_lost_drawing(const AnyRecord& record, std::vector<std::string>& losses)
   const std::size_t faces = uff_drawable_faces(record.geometry, record.trace_faces).size();
   if (faces < record.trace_faces.size()) {
     losses.emplace_back(faces == 0 ? "the faces between points"
-                                   : "faces other than triangles and quadrilaterals between coordinates");
+                                   : "faces without three or four corners, or with a corner without coordinates");
   }
 }
 
