@@ -1,4 +1,4 @@
-# Finds every third-party library once, as imported targets; docs/project/decisions.md says why each is used.
+# Finds the third-party libraries of the layers and the tool once, as imported targets; docs/project/decisions.md says why each is used.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(GSL 2.7 REQUIRED)
 find_package(TBB REQUIRED)
@@ -16,9 +16,9 @@ pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto>=3.0)
 add_library(CRYPTO::crypto ALIAS PkgConfig::CRYPTO)
 pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp>=2.5)
 add_library(SECCOMP::seccomp ALIAS PkgConfig::SECCOMP)
-pkg_check_modules(PORTAUDIO REQUIRED IMPORTED_TARGET portaudio-2.0)
-# Without its -pthread, which would make the precompiled headers of a layer differ from those of the others.
-set_property(TARGET PkgConfig::PORTAUDIO PROPERTY INTERFACE_COMPILE_OPTIONS)
-add_library(PORTAUDIO::portaudio ALIAS PkgConfig::PORTAUDIO)
+# The header alone: the library is loaded when a sound card is used.
+pkg_check_modules(PORTAUDIO REQUIRED portaudio-2.0)
+add_library(PORTAUDIO::headers INTERFACE IMPORTED)
+set_property(TARGET PORTAUDIO::headers PROPERTY INTERFACE_INCLUDE_DIRECTORIES ${PORTAUDIO_INCLUDE_DIRS})
 
 include(PercussHdf5)

@@ -44,6 +44,7 @@ set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${PROJECT_DESCRIPTION}: Python module")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.9), python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib, python3-pandas")
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_RECOMMENDS libportaudio2) # loaded when a sound card is used
 set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_SUGGESTS
-    "libfftw3-dev, libgsl-dev, libtbb-dev, libfmt-dev, libhdf5-dev, libmatio-dev, libsndfile1-dev, libseccomp-dev, portaudio19-dev, libssl-dev, zlib1g-dev, pkg-config")
+    "libfftw3-dev, libgsl-dev, libtbb-dev, libfmt-dev, libhdf5-dev, libmatio-dev, libsndfile1-dev, libseccomp-dev, libssl-dev, zlib1g-dev, pkg-config")
 include(CPack)

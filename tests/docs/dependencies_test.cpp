@@ -25,8 +25,6 @@ constexpr std::array kLibraries{
     Library{"libfmt", "libfmt-dev", "fmt"},
     Library{"libsndfile", "libsndfile1-dev", "SNDFILE"},
     Library{"libseccomp", "libseccomp-dev", "SECCOMP"},
-    Library{"libportaudio", "portaudio19-dev", "PORTAUDIO"},
-    Library{"libasound", "portaudio19-dev", "PORTAUDIO"},  // as libgslcblas: PortAudio's pkg-config file names it
     Library{"libcrypto", "libssl-dev", "CRYPTO"},
     Library{"libz", "zlib1g-dev", "ZLIB"},
     Library{"libmatio", "libmatio-dev", "MATIO"},
@@ -76,6 +74,15 @@ TEST(Dependencies, OfTheToolAreStatedWhereverTheyAreListed) {
       EXPECT_TRUE(found_elsewhere || text.find(library.found) != std::string::npos) << list << " " << library.found;
     }
   }
+}
+
+// Linked, PortAudio would load ALSA and JACK at the start of every command. The package still brings it.
+TEST(Dependencies, OfSoundCardsAreLoadedOnlyWhereTheyAreUsed) {
+  EXPECT_THAT(loaded_libraries(), testing::Not(testing::Contains("libportaudio")));
+  for (const char* list : {"start", "docs/guides/batch/Containerfile"})
+    EXPECT_TRUE(has_word(test::bytes_of(std::string(PERCUSS_SOURCE_DIR "/") + list), "portaudio19-dev")) << list;
+  for (const char* list : {"cmake/PercussInstall.cmake", "docs/guides/cpp-library.md"})
+    EXPECT_TRUE(has_word(test::bytes_of(std::string(PERCUSS_SOURCE_DIR "/") + list), "libportaudio2")) << list;
 }
 
 }  // namespace percuss::dependencies_test

@@ -1,7 +1,6 @@
 #include "acquire/live/portaudio_device.hpp"
 
 #include <fmt/format.h>
-#include <portaudio.h>
 
 #include <algorithm>
 #include <atomic>
@@ -9,6 +8,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "acquire/live/sound_cards/portaudio_functions.hpp"
 #include "acquire/live/sound_cards/portaudio_library.hpp"
 #include "acquire/live/sound_cards/sound_cards.hpp"
 #include "acquire/live/sound_cards/usb_front_end.hpp"
@@ -27,7 +27,7 @@ constexpr std::chrono::seconds kSilence{2};  // without a callback: the device i
     throw InputError("the device does not offer this sampling rate", input.name, "percuss devices lists its rates",
                      {"fs"});
   }
-  throw InputError(std::string("cannot open the device: ") + ::Pa_GetErrorText(error), input.name,
+  throw InputError(std::string("cannot open the device: ") + portaudio().error_text(error), input.name,
                    "end programs that use it, or choose another device", {"device"});
 }
 
@@ -50,8 +50,8 @@ class PortAudioDevice final : public Device {
     PaError error = paNoError;
     {
       const QuietErrors quiet;
-      error = ::Pa_OpenStream(&stream_, &parameters, nullptr, fs_Hz, paFramesPerBufferUnspecified,
-                              paClipOff | paDitherOff, &PortAudioDevice::receive, this);
+      error = portaudio().open_stream(&stream_, &parameters, nullptr, fs_Hz, paFramesPerBufferUnspecified,
+                                      paClipOff | paDitherOff, &PortAudioDevice::receive, this);
     }
     if (error != paNoError) fail_to_open(error, input_);
     describe(channels, fs_Hz);
@@ -59,7 +59,7 @@ class PortAudioDevice final : public Device {
   ~PortAudioDevice() override {
     stop();
     const QuietErrors quiet;
-    ::Pa_CloseStream(stream_);
+    portaudio().close_stream(stream_);
   }
 
   const DeviceFormat& format() const override { return format_; }
@@ -68,7 +68,7 @@ class PortAudioDevice final : public Device {
     sink_ = &sink;
     const std::lock_guard guard(mutex_);
     const QuietErrors quiet;
-    if (const PaError error = ::Pa_StartStream(stream_); error != paNoError) fail_to_open(error, input_);
+    if (const PaError error = portaudio().start_stream(stream_); error != paNoError) fail_to_open(error, input_);
     running_ = true;
     heard_ = Clock::now();
   }
@@ -78,7 +78,7 @@ class PortAudioDevice final : public Device {
     if (!running_) return;
     running_ = false;
     const QuietErrors quiet;
-    ::Pa_AbortStream(stream_);
+    portaudio().abort_stream(stream_);
   }
 
   StreamEnd check() override {
@@ -90,14 +90,15 @@ class PortAudioDevice final : public Device {
       known_callbacks_ = callbacks;
       heard_ = now;
     }
-    return now - heard_ > kSilence || ::Pa_IsStreamActive(stream_) != 1 ? StreamEnd::unplugged : StreamEnd::none;
+    return now - heard_ > kSilence || portaudio().is_stream_active(stream_) != 1 ? StreamEnd::unplugged
+                                                                                 : StreamEnd::none;
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
   void describe(std::size_t channels, double fs_Hz) {
-    const PaStreamInfo* const info = ::Pa_GetStreamInfo(stream_);
+    const PaStreamInfo* const info = portaudio().stream_info(stream_);
     const double actual_Hz = info != nullptr ? info->sampleRate : fs_Hz;
     if (std::abs(actual_Hz - fs_Hz) > kMaxRateError * fs_Hz)
       throw InputError(fmt::format("the device runs at {:.10g} Hz", actual_Hz), input_.name, "state this rate", {"fs"});

@@ -1,7 +1,6 @@
 #include "acquire/live/sound_cards/portaudio_library.hpp"
 
 #include <fcntl.h>
-#include <portaudio.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 
+#include "acquire/live/sound_cards/portaudio_functions.hpp"
 #include "acquire/live/sound_cards/sound_cards.hpp"
 #include "core/error.hpp"
 
@@ -31,7 +31,7 @@ constexpr std::array kCommonRates_Hz = {8000.0,  11025.0, 16000.0, 22050.0, 2560
 
 // PortAudio of Debian aborts the program where the configuration of ALSA has no device "default" (an assertion). A
 // child tries it first. The child takes at most 20 s, since devices may answer slowly.
-void check_in_child() {
+void check_in_child(const PortAudioFunctions& functions) {
   constexpr unsigned kPatience_s = 20;
   const pid_t child = ::fork();
   if (child < 0) return;
@@ -40,7 +40,7 @@ void check_in_child() {
     ::setrlimit(RLIMIT_CORE, &no_core);
     std::signal(SIGABRT, SIG_DFL);
     ::alarm(kPatience_s);
-    ::Pa_Initialize();
+    functions.initialize();
     ::_exit(0);
   }
   int status = 0;
@@ -78,24 +78,24 @@ QuietErrors::~QuietErrors() {
 
 PortAudioLibrary::PortAudioLibrary() {
   const QuietErrors quiet;
-  check_in_child();
-  if (const PaError error = ::Pa_Initialize(); error != paNoError) {
-    throw InputError(std::string("PortAudio does not start: ") + ::Pa_GetErrorText(error), "portaudio",
+  check_in_child(portaudio());
+  if (const PaError error = portaudio().initialize(); error != paNoError) {
+    throw InputError(std::string("PortAudio does not start: ") + portaudio().error_text(error), "portaudio",
                      "check the sound system", {"device"});
   }
 }
 
 PortAudioLibrary::~PortAudioLibrary() {
   const QuietErrors quiet;
-  ::Pa_Terminate();
+  portaudio().terminate();
 }
 
 std::vector<PortAudioInput> PortAudioLibrary::inputs() const {
   std::vector<PortAudioInput> out;
-  for (PaDeviceIndex i = 0; i < ::Pa_GetDeviceCount(); ++i) {
-    const PaDeviceInfo* const info = ::Pa_GetDeviceInfo(i);
+  for (PaDeviceIndex i = 0; i < portaudio().device_count(); ++i) {
+    const PaDeviceInfo* const info = portaudio().device_info(i);
     if (info == nullptr || info->maxInputChannels <= 0) continue;
-    const PaHostApiInfo* const host = ::Pa_GetHostApiInfo(info->hostApi);
+    const PaHostApiInfo* const host = portaudio().host_info(info->hostApi);
     out.push_back({.index = i,
                    .name = info->name,
                    .host = host != nullptr ? host->name : "",
@@ -115,7 +115,7 @@ std::vector<double> PortAudioLibrary::rates_Hz(const PortAudioInput& input) cons
                                       .hostApiSpecificStreamInfo = nullptr};
   std::vector<double> rates;
   for (const double rate : kCommonRates_Hz) {
-    if (::Pa_IsFormatSupported(&parameters, nullptr, rate) == paFormatIsSupported) rates.push_back(rate);
+    if (portaudio().is_format_supported(&parameters, nullptr, rate) == paFormatIsSupported) rates.push_back(rate);
   }
   return rates;
 }
