@@ -1,7 +1,9 @@
 #include "core/math/fft.hpp"
 
 #include <fftw3.h>
+#include <gsl/gsl_fft_real.h>
 
+#include <bit>
 #include <cassert>
 #include <map>
 #include <memory>
@@ -131,6 +133,19 @@ void real_dft(std::span<const double> x, std::span<Complex> out) {
   std::vector<Complex> result(out.size());
   fftw_execute_dft_r2c(plan, const_cast<double*>(aligned.data()), as_fftw(result.data()));
   std::copy(result.begin(), result.end(), out.begin());
+}
+
+std::vector<Complex> real_dft_once(std::span<const double> x) {
+  constexpr std::size_t kMaxUnplanned = std::size_t{1} << 15U;
+  const std::size_t n = x.size();
+  if (!std::has_single_bit(n) || n < 2 || n > kMaxUnplanned) return real_dft(x);
+  std::vector<double> parts(x.begin(), x.end());  // then real parts in ascending, imaginary parts in descending order
+  gsl_fft_real_radix2_transform(parts.data(), 1, n);
+  std::vector<Complex> out(n / 2 + 1);
+  out.front() = parts.front();
+  for (std::size_t k = 1; k < n / 2; ++k) out[k] = {parts[k], parts[n - k]};
+  out.back() = parts[n / 2];
+  return out;
 }
 
 std::vector<Complex> real_dft(std::span<const double> x) {

@@ -21,6 +21,10 @@ std::vector<Complex> real_dft(std::span<const double> x);
 /// for the plan.
 void plan_real_dft(std::size_t n);
 
+/// As real_dft(x), for a length of which a process transforms few sequences. A length that is a power of two, up to
+/// 32768, needs no plan: planning would take longer than several such transforms.
+std::vector<Complex> real_dft_once(std::span<const double> x);
+
 /// As real_dft(x), into the caller's storage; x.size() >= 1, out.size() == x.size()/2 + 1.
 void real_dft(std::span<const double> x, std::span<Complex> out);
 

@@ -24,7 +24,7 @@ constexpr double kSameHarmonic = 0.5;  // lines of the segment's transform
 std::vector<double> powers(std::span<const double> x, const Segment& segment, const std::vector<double>& window) {
   std::vector<double> block(segment.length);
   for (std::size_t n = 0; n < block.size(); ++n) block[n] = window[n] * x[segment.first + n];
-  const std::vector<Complex> lines = real_dft(block);
+  const std::vector<Complex> lines = real_dft_once(block);
   std::vector<double> power(lines.size());
   std::transform(lines.begin(), lines.end(), power.begin(), [](Complex line) { return std::norm(line); });
   return power;

@@ -128,6 +128,21 @@ TEST(RealDft, MayBeCalledByManyThreads) {
   for (std::size_t i = 0; i < got.size(); ++i) EXPECT_EQ(got[i], real_dft(noise(700 + i % 3)));
 }
 
+TEST(RealDft, IsTheSameWithoutAPlan) {
+  constexpr double kRoundingOfRecurrence = 1e-12;  // of the largest line: its sines and cosines follow from each other
+  for (const std::size_t size : {1U, 2U, 4U, 1000U, 4096U, 32768U, 65536U}) {
+    const std::vector<double> x = noise(size);
+    const std::vector<Complex> planned = real_dft(x), once = real_dft_once(x);
+    ASSERT_EQ(once.size(), planned.size());
+    double largest = 0, error = 0;
+    for (std::size_t k = 0; k < once.size(); ++k) {
+      largest = std::max(largest, std::abs(planned[k]));
+      error = std::max(error, std::abs(once[k] - planned[k]));
+    }
+    EXPECT_LE(error, kRoundingOfRecurrence * largest) << size;
+  }
+}
+
 TEST(InverseRealDft, RestoresTheSamples) {
   for (const std::size_t size : {1U, 2U, 3U, 257U, 1000U, 25601U}) {
     const auto x = noise(size);
