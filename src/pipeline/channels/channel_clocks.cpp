@@ -11,8 +11,8 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kMaxChannels = 8;  // a fit each; more channels usually share one recorder
-constexpr std::size_t kMinShared = 4;
+constexpr std::size_t kMaxChannels = 8;         // a fit each; more channels usually share one recorder
+constexpr std::size_t kMinShared = 4;           // modes that two channels must share
 constexpr double kNear = 2;                     // half-power bandwidths between the places of one mode in two channels
 constexpr double kMinMisfit = 1e-9;             // of a frequency: no clocks agree better; rounding leaves less
 constexpr double kMinResidual = 1e-8;           // of the FRFs: clocks that differ by kMinMisfit leave more
@@ -68,7 +68,7 @@ bool ChannelClock::established() const { return log_chance < kMaxLogChance && st
 std::vector<ChannelClock> channel_clocks(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                                          std::size_t channels) {
   std::vector<ChannelClock> out;
-  if (channels < 2 || channels > kMaxChannels || !may_differ(modes)) return out;
+  if (channels < 2 || channels > kMaxChannels || modes.size() < kMinShared || !may_differ(modes)) return out;
   std::vector<std::vector<identify::Mode>> alone(channels);
   parallel_for_cost(channels, kFitFlops, [&](std::size_t c) {
     alone[c] = identify::identify_modes(only(set, c), {.effort = identify::Effort::quick});
