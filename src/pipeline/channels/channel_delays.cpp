@@ -6,6 +6,7 @@
 
 #include "core/units.hpp"
 #include "identify/identify.hpp"
+#include "identify/noise/force_noise.hpp"
 #include "pipeline/channels/robust_slope.hpp"
 
 namespace percuss::pipeline {
@@ -29,6 +30,21 @@ std::vector<double> phases_after(std::span<const ModePhase> phases, double delay
   return left;
 }
 
+// The standard deviation of a delay from the noise of the force alone. The phases of the modes have this noise in
+// common: nearly as of one shift in time, so that more modes hardly reduce it.
+double force_std_s(std::span<const ModePhase> phases) {
+  std::vector<double> shift_s(phases.front().force_rad.size());
+  double weights = 0;
+  for (const ModePhase& p : phases) {
+    const double omega = kTwoPi * p.freq_Hz, weight = omega / (p.std_rad * p.std_rad);
+    for (std::size_t v = 0; v < shift_s.size(); ++v) shift_s[v] += weight * p.force_rad[v];
+    weights += weight * omega;
+  }
+  double squares = 0;
+  for (const double shift : shift_s) squares += shift * shift;
+  return std::sqrt(squares) / weights;
+}
+
 // The delay near a start. log_chance counts the delays between zero and this one: each is another trial in which the
 // phases could agree as well by chance.
 ChannelDelay refined(std::span<const ModePhase> phases, double start_s) {
@@ -43,7 +59,7 @@ ChannelDelay refined(std::span<const ModePhase> phases, double start_s) {
   for (int pass = 0; pass < 3; ++pass) {  // the half turns may change with the delay
     const RobustSlope slope = robust_slope(omega, phases_after(phases, out.delay_s), std);
     out.delay_s -= slope.slope;
-    out.std_s = slope.std;
+    out.std_s = std::hypot(slope.std, force_std_s(phases));
     out.phase_rms = slope.rms;
   }
   double without = 0;
@@ -75,20 +91,39 @@ std::vector<double> starts_s(std::span<const ModePhase> phases) {
   return starts;
 }
 
+// The phases of the gain of each point's FRFs at the modes, from the noise of the force: [points], each [modes,
+// variables]. A point has no variables where this noise is unknown.
+std::vector<Eigen::MatrixXd> force_phases(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes) {
+  std::vector<std::size_t> lines;
+  for (const identify::Mode& mode : modes) lines.push_back(set.lines.nearest(mode.pole.freq_Hz));
+  std::vector<Eigen::MatrixXd> out(set.points.size());
+  for (std::size_t p = 0; p < out.size(); ++p) out[p] = identify::gain_errors(set, p, lines).imag();
+  return out;
+}
+
 // The direction of a mode's residues in a channel: the phase that most of their energy lies along, over all points.
-std::optional<ModePhase> phase_of(const identify::Mode& mode, std::size_t channel) {
+// `of_force` are its rows in force_phases(), [points].
+std::optional<ModePhase> phase_of(const identify::Mode& mode, std::size_t channel,
+                                  const std::vector<Eigen::RowVectorXd>& of_force) {
   Complex doubled;
-  double energy = 0, noise = 0;
+  double energy = 0, noise = 0, weights = 0;
+  std::vector<double> weight_of(of_force.size());  // of the points
   for (const identify::Residue& residue : mode.residues) {
-    if (residue.channel != channel || !(residue.std > 0)) continue;
-    const Complex scaled = residue.value / residue.std;
-    doubled += scaled * scaled;
-    energy += std::norm(scaled);
+    if (residue.channel != channel || !(residue.std > 0) || residue.value == Complex()) continue;
+    energy += std::norm(residue.value / residue.std);
     noise += 1;
+    const double own = std::norm(residue.std / residue.value);
+    const double weight = 1 / (own + of_force[residue.point].squaredNorm());
+    doubled += std::polar(weight, 2 * std::arg(residue.value));
+    weights += weight;
+    weight_of[residue.point] += weight;
   }
   if (!(energy > kClearPhase * kClearPhase * noise) || !(std::abs(doubled) > 0)) return std::nullopt;
-  return ModePhase{
-      .freq_Hz = mode.pole.freq_Hz, .phase_rad = 0.5 * std::arg(doubled), .std_rad = 1 / std::sqrt(energy)};
+  ModePhase out{.freq_Hz = mode.pole.freq_Hz, .phase_rad = 0.5 * std::arg(doubled), .std_rad = 1 / std::sqrt(weights)};
+  for (std::size_t p = 0; p < of_force.size(); ++p) {
+    for (const double phase : of_force[p]) out.force_rad.push_back(weight_of[p] / weights * phase);
+  }
+  return out;
 }
 
 // The smallest time from the force to the first motion over the accepted hits.
@@ -135,12 +170,20 @@ std::optional<ChannelDelay> delay_of_phases(std::span<const ModePhase> phases) {
   return best;
 }
 
-std::vector<ChannelDelay> delays_of_residues(const std::vector<identify::Mode>& modes, std::size_t channels) {
+std::vector<ChannelDelay> delays_of_residues(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
+                                             std::size_t channels) {
   std::vector<ChannelDelay> out;
+  const std::vector<Eigen::MatrixXd> of_points = force_phases(set, modes);
+  const auto of_mode = [&](std::size_t m) {
+    std::vector<Eigen::RowVectorXd> rows;
+    for (const Eigen::MatrixXd& of_point : of_points)
+      rows.push_back(of_point.size() == 0 ? Eigen::RowVectorXd() : of_point.row(static_cast<Eigen::Index>(m)).eval());
+    return rows;
+  };
   for (std::size_t c = 0; c < channels; ++c) {
     std::vector<ModePhase> phases;
-    for (const identify::Mode& mode : modes) {
-      if (const auto phase = phase_of(mode, c)) phases.push_back(*phase);
+    for (std::size_t m = 0; m < modes.size(); ++m) {
+      if (auto phase = phase_of(modes[m], c, of_mode(m))) phases.push_back(*std::move(phase));
     }
     if (auto delay = delay_of_phases(phases)) {
       delay->channel = c;
@@ -152,7 +195,7 @@ std::vector<ChannelDelay> delays_of_residues(const std::vector<identify::Mode>& 
 
 std::vector<ChannelDelay> channel_delays(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                                          const std::vector<AnalysedHit>& hits, std::size_t channels) {
-  std::vector<ChannelDelay> delays = delays_of_residues(modes, channels);
+  std::vector<ChannelDelay> delays = delays_of_residues(set, modes, channels);
   if (modes.size() < kMinPhases) return delays;
   const double period_s = 1 / modes.back().pole.freq_Hz;
   std::vector<double> late_s(channels);
@@ -164,7 +207,7 @@ std::vector<ChannelDelay> channel_delays(const identify::FrfDataset& set, const 
   }
   if (!any) return delays;
   const auto again = identify::identify_modes(turned_back(set, late_s), {.effort = identify::Effort::standard});
-  for (ChannelDelay delay : delays_of_residues(again, channels)) {
+  for (ChannelDelay delay : delays_of_residues(set, again, channels)) {
     if (!(late_s[delay.channel] > 0)) continue;
     delay.delay_s += late_s[delay.channel];
     // The chance that phases without any order lie so close to a line.

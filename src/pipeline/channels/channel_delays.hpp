@@ -29,6 +29,9 @@ struct ChannelDelay {
 struct ModePhase {
   double freq_Hz = 0;
   double phase_rad = 0, std_rad = 0;
+  // The part of std_rad from the noise of the force: the phase for each of independent standard normal variables, which
+  // are common to all modes. Empty: none.
+  std::vector<double> force_rad{};
 };
 
 /// The delay τ for which the phases follow −2πfτ best, |τ| ≤ 20 ms. A half turn more or less is the same phase, so
@@ -37,8 +40,11 @@ struct ModePhase {
 std::optional<ChannelDelay> delay_of_phases(std::span<const ModePhase> phases);
 
 /// The delay of each channel from the residues of the modes, at all points together; a channel with too few clear modes
-/// has none. Modes with complex shapes scatter about the line and enter the standard deviation.
-std::vector<ChannelDelay> delays_of_residues(const std::vector<identify::Mode>& modes, std::size_t channels);
+/// has none. Modes with complex shapes scatter about the line and enter the standard deviation. The noise of the force
+/// shifts its pulse in time, and with it the delays of all channels: it enters the standard deviation as well.
+/// set  the FRFs of these modes
+std::vector<ChannelDelay> delays_of_residues(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
+                                             std::size_t channels);
 
 /// As delays_of_residues. A delay of several periods falsifies the modes themselves. Where the phases establish
 /// no delay and the structure first moves more than one period of the highest mode after the force's onset, the FRFs

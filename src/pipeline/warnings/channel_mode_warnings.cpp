@@ -36,7 +36,7 @@ std::string delay_text(double s, double std_s) {
   const double magnitude = std::abs(s);
   const char* unit = magnitude < 1e-3 ? "µs" : "ms";
   const double scale = magnitude < 1e-3 ? 1e6 : 1e3;
-  return fmt::format("{} ± {} {}", significant(magnitude * scale, 4), significant(std_s * scale, 2), unit);
+  return fmt::format("{} {}", value_with_std(magnitude * scale, std_s * scale), unit);
 }
 
 // "accel 1 20 ± 0.1 µs after the force, …", and the delay that turns a phase most.

@@ -231,10 +231,11 @@ std::vector<Warning> window_warnings(const acquire::Record& record, const std::v
       {"already_windowed",
        fmt::format("the noise decays with {:.4g} ± {:.2g} /s, to {:.2g} % at the end of {:.3g} s: the recorder "
                    "applied an exponential window to the responses. Every damping ratio is too high, by {:.4g} Hz "
-                   "divided by the natural frequency of the mode",
+                   "divided by the natural frequency of the mode. Every frequency is too high as well, relative to "
+                   "itself by this quotient times the mean of the damping ratios with and without the window",
                    window->decay_per_s, window->decay_std_per_s, 100 * window->end_level, row_s,
                    window->decay_per_s / kTwoPi)},
-      "subtract this quotient from each damping ratio, or record again without a window")};
+      "subtract these values from the damping ratios and frequencies, or record again without a window")};
 }
 
 std::vector<Warning> record_findings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/math/statistics.hpp"
 #include "core/units.hpp"
 #include "identify/classify/ratio_likelihood.hpp"
 #include "identify/classify/tube_evidence.hpp"
@@ -89,25 +90,27 @@ std::vector<Warning> mixed_units(const acquire::Record& record, const std::vecto
   for (const double factor : {kStandardGravity_mps2, 10.0}) {
     for (const bool second_larger : {true, false}) {
       const double expected = second_larger ? factor : 1 / factor;
-      std::size_t at_factor = 0, like_hoop = 0;
+      std::vector<double> at_factor;
+      std::size_t like_hoop = 0;
       for (const ClearRatio& one : ratios) {
         if (!(one.ratio < 0)) continue;
-        if (std::abs(std::log(-one.ratio / expected)) < kSameFactor) ++at_factor;
+        if (std::abs(std::log(-one.ratio / expected)) < kSameFactor)
+          at_factor.push_back(second_larger ? -one.ratio : -1 / one.ratio);
         if (std::abs(std::log(-one.ratio)) < kLikeHoop) ++like_hoop;
       }
-      if (at_factor < 2 || like_hoop > 0 || at_factor == ratios.size()) continue;
+      if (at_factor.size() < 2 || like_hoop > 0 || at_factor.size() == ratios.size()) continue;
       const std::size_t larger = second_larger ? sensors.second : sensors.first;
       const std::size_t other = second_larger ? sensors.first : sensors.second;
       return {with_remedy(
           {"units_differ",
            fmt::format(
-               "{} is {:.2g} times {}, with the opposite sign, in {} modes. Hoop modes of a tube have equal "
-               "sizes there: is one of them in g and the other in m/s², or a sensitivity wrong by 10? Residues, "
-               "shapes and mode types are wrong then",
-               one_line(record.accel[larger].name, kMaxNameBytes), factor,
-               one_line(record.accel[other].name, kMaxNameBytes), at_factor),
-           {"unit", "accel_scale"}},
-          "state the unit or the scale of each channel")};
+               "{} is {:.3g} times {}, with the opposite sign, in {} modes. Hoop modes of a tube have equal "
+               "sizes there: is one of them in g and the other in m/s², or a sensitivity wrong by 10, or an angle "
+               "of a sensor wrong? Residues, shapes and mode types are wrong then",
+               one_line(record.accel[larger].name, kMaxNameBytes), median(at_factor),
+               one_line(record.accel[other].name, kMaxNameBytes), at_factor.size()),
+           {"unit", "accel_scale", "angle"}},
+          "state the unit, or the scale and the angle of each channel")};
     }
   }
   return {};

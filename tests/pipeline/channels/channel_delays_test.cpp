@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "core/units.hpp"
+#include "pipeline/analysis.hpp"
+#include "support/modal_frfs.hpp"
+#include "synth/synthesise.hpp"
 
 namespace percuss::pipeline::channel_delays_test {
 
@@ -79,11 +82,41 @@ TEST(ChannelDelays, JoinTheResiduesOfAllPoints) {
     }
     modes.push_back(mode);
   }
-  const auto delays = delays_of_residues(modes, 2);
+  const identify::FrfDataset set{.lines = {.fs_Hz = 8192, .samples = 8192, .first = 1, .count = 4000},
+                                 .points = std::vector<identify::PointForce>(3),
+                                 .channels = {}};
+  const auto delays = delays_of_residues(set, modes, 2);
   ASSERT_EQ(delays.size(), 2U);
   EXPECT_FALSE(delays[0].established());
   EXPECT_TRUE(delays[1].established());
   EXPECT_NEAR(delays[1].delay_s, 25e-6, 1e-8);
+}
+
+// The noise of the force shifts its pulse in time, and with it the delays of all channels. The first sensor sees all
+// modes, the second is at their nodes. The RMS of 12 standard normal values is within 1 ± 0.4 in 95 % of cases.
+TEST(ChannelDelays, IncludeTheNoiseOfTheForce) {
+  double squares = 0;
+  std::size_t count = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    synth::SynthSpec spec =
+        test::bat_spec({{.freq_Hz = 170, .damping_ratio = 0.003, .order = 1, .amplitude_per_sqrt_kg = 1.7},
+                        {.freq_Hz = 600, .damping_ratio = 0.003, .order = 2, .amplitude_per_sqrt_kg = 1.4},
+                        {.freq_Hz = 1250, .damping_ratio = 0.003, .order = 3, .amplitude_per_sqrt_kg = 1.2},
+                        {.freq_Hz = 2100, .damping_ratio = 0.003, .order = 4, .amplitude_per_sqrt_kg = 1.1}},
+                       1);
+    spec.seed = seed;
+    spec.hits = 5;
+    spec.noise = {.force = 5e-4, .accel = 1e-4};
+    const Analysis analysis(synth::synthesise(spec).record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
+    for (const ChannelDelay& delay : analysis.channel_findings().delays) {
+      squares += std::pow(delay.delay_s / delay.std_s, 2);  // there is no delay
+      ++count;
+    }
+  }
+  ASSERT_EQ(count, 12U);
+  const double rms = std::sqrt(squares / static_cast<double>(count));
+  EXPECT_GT(rms, 0.6);
+  EXPECT_LT(rms, 1.4);
 }
 
 }  // namespace percuss::pipeline::channel_delays_test

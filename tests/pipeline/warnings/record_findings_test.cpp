@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
 
+#include "core/units.hpp"
 #include "pipeline/analysis.hpp"
 #include "support/changed_record.hpp"
 #include "support/force_row.hpp"
@@ -201,6 +203,18 @@ TEST(RecordFindings, NameAnExponentialWindowByTheDecayOfTheNoise) {
                                                    }),
                           band());
   EXPECT_THAT(codes_of(analysis), Contains("already_windowed"));
+  // What the message says to subtract leaves the true modes.
+  const std::vector<identify::Mode>& modes = analysis.modes();
+  ASSERT_EQ(modes.size(), 2U);
+  const std::array freq_Hz{200.0, 1900.0}, damping{0.02, 0.004};
+  for (std::size_t m = 0; m < 2; ++m) {
+    const identify::Pole& pole = modes[m].pole;
+    const double quotient = decay_per_s / kTwoPi / pole.freq_Hz, without = pole.damping_ratio - quotient;
+    EXPECT_NEAR(without, damping[m], 5 * modes[m].damping_std);
+    const double shift_Hz = pole.freq_Hz * quotient * (pole.damping_ratio + without) / 2;
+    EXPECT_GT(shift_Hz, 5 * modes[m].freq_std_Hz);  // visible
+    EXPECT_NEAR(pole.freq_Hz - shift_Hz, freq_Hz[m], 5 * modes[m].freq_std_Hz);
+  }
 }
 
 TEST(RecordFindings, NameAnAcCoupledForce) {

@@ -11,6 +11,7 @@ using identify::ModeClassification;
 using identify::ModeType;
 using testing::ElementsAre;
 using testing::Field;
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 struct Found {
@@ -70,6 +71,18 @@ TEST(TubeWarnings, NameAUnitThatHoopModesContradict) {
   for (Found& one : first) one.ratio /= 9.81;
   EXPECT_THAT(warnings_of(second), ElementsAre(Field(&Warning::code, "units_differ")));
   EXPECT_THAT(warnings_of(first), ElementsAre(Field(&Warning::code, "units_differ")));
+}
+
+// Sensors of other gains: the message states the measured ratio of the two hoop modes, 9.1.
+TEST(TubeWarnings, StateTheMeasuredRatioOfTheUnits) {
+  std::vector<Found> second = kBat, first = kBat;
+  for (Found& one : second) one.ratio *= 9.1;
+  for (Found& one : first) one.ratio /= 9.1;
+  for (const auto& ratios : {first, second}) {
+    const std::vector<Warning> warnings = warnings_of(ratios);
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_THAT(warnings.front().message, HasSubstr(" is 9.1 times "));
+  }
 }
 
 TEST(TubeWarnings, NameAnglesThatTheModesContradict) {
