@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include "pipeline/analysis.hpp"
 #include "pipeline/warnings/capture_warnings.hpp"
@@ -46,11 +47,16 @@ std::vector<Warning> Analysis::warnings() const {
   add(input_warnings(record()));
   add(capture_warnings(record()));
   if (modes_.ready() && !force_known) add(force_noise_warnings(modes()));
-  add(hit_warnings(record(), graded));
+  const std::vector<SilentPoint> silent_at =
+      responses_.ready() ? silent_points(graded, responses()) : std::vector<SilentPoint>{};
+  std::set<std::size_t> silent_hits;
+  for (const SilentPoint& one : silent_at) silent_hits.insert(one.hits.begin(), one.hits.end());
+  add(hit_warnings(record(), graded, silent_hits));
   if (force_known) add(point_force_warnings(record(), graded));
   if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples));
   if (force_known) add(role_warnings(record(), graded));
   add(channel_warnings(record(), graded));
+  add(silent_point_warnings(record(), silent_at));
   const auto silent = modes_.ready() && modes().empty() && responses_.ready()
                           ? silent_response_warnings(record(), graded, responses())
                           : std::vector<Warning>{};

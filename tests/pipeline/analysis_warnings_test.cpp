@@ -95,6 +95,35 @@ TEST(Warnings, NameAChannelThatShowsNoMode) {
   EXPECT_THAT(warnings_of(good), Not(Contains(HasSubstr("shows none"))));
 }
 
+// A loose cable at one point of a survey: the hits there do not disagree with the others, they show nothing.
+TEST(Warnings, NameAPointAtWhichASensorShowsNothing) {
+  constexpr int kPoint = 7;
+  const acquire::Record good = synth::synthesise(synth::synth_preset("plate")).record;
+  const acquire::Record record =
+      test::with_changed_accel(good, [&](std::size_t row, std::size_t, std::vector<double>& x) {
+        if (good.rows[row].point != kPoint) return;
+        std::fill(x.begin(), x.end(), 0);
+        test::add_noise(x, 0.1, row);
+      });
+  const AnalysisOptions options = band(50, 500);
+  const std::vector<std::string> warnings = warnings_of(record, options);
+  EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("dead_channel: "), HasSubstr(" shows only noise at point 7 (hits "))));
+  EXPECT_THAT(warnings, Not(Contains(HasSubstr("hits_disagree"))));
+  EXPECT_THAT(warnings_of(good, options), Not(Contains(HasSubstr("shows only noise"))));
+}
+
+// The decay of noise ends at once, which leaves few samples of the row.
+TEST(Warnings, NameAChannelThatDoesNotRespondToASingleHit) {
+  synth::SynthSpec spec = bat();
+  spec.hits = 1;
+  const acquire::Record record = test::with_changed_accel(
+      synth::synthesise(spec).record, [](std::size_t row, std::size_t channel, std::vector<double>& x) {
+        std::fill(x.begin(), x.end(), 0);
+        test::add_noise(x, 0.1, 2 * row + channel);
+      });
+  EXPECT_THAT(warnings_of(record), Contains(HasSubstr("dead_channel: accel 1 does not respond: ")));
+}
+
 /// The record with the force of one point in kN.
 acquire::Record with_kilonewtons_at(acquire::Record record, int point) {
   record.contiguous.clear();

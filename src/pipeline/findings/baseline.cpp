@@ -63,11 +63,13 @@ std::optional<BaselineChange> find_slope(const RestLevels& levels, std::size_t s
 }  // namespace
 
 RestLevels rest_levels(std::span<const double> x, std::size_t quiet, std::size_t first) {
-  RestLevels out{.before = {}, .quiet = quiet, .first = first, .window = x.size() / kRowShare};
-  if (quiet < kMinQuiet || quiet > x.size() || out.window == 0 || first + kRestWindows * out.window > x.size())
-    return out;
+  RestLevels out{.before = {}, .quiet = quiet, .first = first};
+  if (quiet < kMinQuiet || quiet > x.size()) return out;
   out.before = mean_level(x.first(quiet));
   out.noise = rms_about_mean(x.first(quiet));
+  const std::size_t window = x.size() / kRowShare;
+  if (first + kRestWindows * window > x.size()) return out;
+  out.window = window;
   for (std::size_t w = 0; w < kRestWindows; ++w)
     out.after[w] = mean_level(x.subspan(first + w * out.window, out.window));
   return out;
@@ -75,7 +77,7 @@ RestLevels rest_levels(std::span<const double> x, std::size_t quiet, std::size_t
 
 std::optional<BaselineChange> find_baseline_change(const RestLevels& levels, std::size_t samples, double largest,
                                                    double fs_Hz) {
-  if (!levels.before || !(largest > 0)) return std::nullopt;
+  if (!levels.before || levels.window == 0 || !(largest > 0)) return std::nullopt;
   if (auto step = find_step(levels, largest, fs_Hz)) return step;
   return find_slope(levels, samples, largest);
 }

@@ -11,10 +11,11 @@ inline constexpr std::size_t kRestWindows = 12;
 /// Means of a response before the hit, and over kRestWindows windows after it, each a 16th of the row. The structure's
 /// oscillations cancel in these means.
 struct RestLevels {
-  std::optional<double> before;
-  double noise = 0;  // standard deviation of the samples before
+  std::optional<double> before;  // nothing where too few samples are before the hit
+  double noise = 0;              // standard deviation of the samples before
   std::array<double, kRestWindows> after{};
-  std::size_t quiet = 0, first = 0, window = 0;  // samples before, first sample after, samples of each window
+  // Samples before, first sample after, samples of each window; no window where the row is too short for all.
+  std::size_t quiet = 0, first = 0, window = 0;
 };
 RestLevels rest_levels(std::span<const double> x, std::size_t quiet, std::size_t first);
 

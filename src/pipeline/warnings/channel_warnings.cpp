@@ -3,13 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
+#include "core/math/statistics.hpp"
 #include "pipeline/warnings/hit_list.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kMinQuiet = 64;  // samples before a hit: they determine the noise to a tenth
+constexpr std::size_t kMinPoints = 3;  // of a survey that shows what is usual
+constexpr double kClearHeight = 30;    // the same of a response that clearly rises above its noise
 constexpr double kNoiseExtreme = 6;    // standard deviations; a million samples of white noise reach 5
 
 // Indices of the accepted hits in which the channel is constant, and whether it moves in another one.
@@ -40,14 +45,20 @@ double coarsest_step(const std::vector<AnalysedHit>& hits, std::size_t channel) 
   return step;
 }
 
-// Whether no accepted hit moves the channel above the noise before the hit.
-bool stays_in_noise(const std::vector<AnalysedHit>& hits, const HitResponses& responses, std::size_t channel) {
-  const std::vector<std::size_t> used = accepted_hits(hits);
-  return !used.empty() && std::all_of(used.begin(), used.end(), [&](std::size_t h) {
-    if (channel >= responses.of[h].size()) return false;
-    const HitResponse& response = responses.of[h][channel];
-    return response.rest.before && response.rest.quiet >= kMinQuiet &&
-           response.grade.extremes.max_distance_from(*response.rest.before) < kNoiseExtreme * response.rest.noise;
+// The largest distance of a response from its level before the hit, over the noise there. Nothing where too few samples
+// before the hit determine the noise.
+std::optional<double> height_over_noise(const HitResponses& responses, std::size_t hit, std::size_t channel) {
+  if (channel >= responses.of[hit].size()) return std::nullopt;
+  const HitResponse& response = responses.of[hit][channel];
+  if (!response.rest.before || response.rest.quiet < kMinQuiet || !(response.rest.noise > 0)) return std::nullopt;
+  return response.grade.extremes.max_distance_from(*response.rest.before) / response.rest.noise;
+}
+
+// Whether none of these hits moves the channel above the noise before the hit.
+bool stays_in_noise(const std::vector<std::size_t>& hits, const HitResponses& responses, std::size_t channel) {
+  return !hits.empty() && std::all_of(hits.begin(), hits.end(), [&](std::size_t h) {
+    const std::optional<double> height = height_over_noise(responses, h, channel);
+    return height && *height < kNoiseExtreme;
   });
 }
 
@@ -93,13 +104,52 @@ std::vector<Warning> silent_response_warnings(const acquire::Record& record, con
                                               const HitResponses& responses) {
   std::vector<Warning> out;
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
-    if (!stays_in_noise(hits, responses, c)) continue;
+    if (!stays_in_noise(accepted_hits(hits), responses, c)) continue;
     out.push_back(with_remedy({"dead_channel",
                                fmt::format("{} does not respond: after the hits, no sample exceeds {:.0f} standard "
                                            "deviations of its noise before them",
                                            one_line(record.accel[c].name, kMaxNameBytes), kNoiseExtreme),
                                {"accel_channel"}},
                               "check its cable and its mounting, or choose the other channels"));
+  }
+  return out;
+}
+
+std::vector<SilentPoint> silent_points(const std::vector<AnalysedHit>& hits, const HitResponses& responses) {
+  std::map<int, std::vector<std::size_t>> points;
+  std::size_t channels = 0;
+  for (const std::size_t h : accepted_hits(hits)) {
+    points[hits[h].point].push_back(h);
+    channels = std::max(channels, responses.of[h].size());
+  }
+  std::vector<SilentPoint> out;
+  if (points.size() < kMinPoints) return out;
+  for (std::size_t c = 0; c < channels; ++c) {
+    std::vector<double> heights;
+    for (const std::size_t h : accepted_hits(hits)) {
+      if (const auto height = height_over_noise(responses, h, c)) heights.push_back(*height);
+    }
+    if (heights.empty() || median(heights) < kClearHeight) continue;
+    for (const auto& [point, of_point] : points) {
+      if (stays_in_noise(of_point, responses, c)) out.push_back({.point = point, .channel = c, .hits = of_point});
+    }
+  }
+  return out;
+}
+
+std::vector<Warning> silent_point_warnings(const acquire::Record& record, const std::vector<SilentPoint>& silent) {
+  std::vector<Warning> out;
+  for (const SilentPoint& one : silent) {
+    out.push_back(with_remedy({"dead_channel",
+                               fmt::format("{} shows only noise at point {} ({}): no sample exceeds {:.0f} standard "
+                                           "deviations of its noise before the hit. Its shapes are wrong there, "
+                                           "unless the structure is at rest at this point",
+                                           one_line(record.accel[one.channel].name, kMaxNameBytes), one.point,
+                                           hit_list(one.hits), kNoiseExtreme),
+                               {},
+                               "",
+                               acquire::Severity::warn},
+                              "check its cable and its mounting, and measure this point again"));
   }
   return out;
 }

@@ -18,4 +18,15 @@ std::vector<Warning> channel_warnings(const acquire::Record& record, const std::
 std::vector<Warning> silent_response_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                               const HitResponses& responses);
 
+/// A channel that stays in its noise at all accepted hits of one point.
+struct SilentPoint {
+  int point = 0;
+  std::size_t channel = 0;
+  std::vector<std::size_t> hits;
+};
+/// The points of a survey at which a channel stays in its noise, although it clearly responds at most points.
+std::vector<SilentPoint> silent_points(const std::vector<AnalysedHit>& hits, const HitResponses& responses);
+/// dead_channel for these points.
+std::vector<Warning> silent_point_warnings(const acquire::Record& record, const std::vector<SilentPoint>& silent);
+
 }  // namespace percuss::pipeline

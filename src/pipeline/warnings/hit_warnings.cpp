@@ -55,16 +55,17 @@ Warning disagreement(const HitsWithFinding& poor, bool several_files) {
 
 }  // namespace
 
-std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {
+std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                  const std::set<std::size_t>& silent) {
   std::vector<Warning> out;
   const std::size_t rejected = hits.size() - accepted_hits(hits).size();
   if (rejected > 0) {
     out.push_back({"rejected_hits",
                    fmt::format("{} of {} hits not used; each hit's verdict gives the reason", rejected, hits.size())});
   }
-  if (const auto poor = accepted_hits_with(hits, acquire::FindingCode::low_coherence, kPoorCoherence);
-      !poor.hits.empty())
-    out.push_back(disagreement(poor, record.files.size() > 1));
+  auto poor = accepted_hits_with(hits, acquire::FindingCode::low_coherence, kPoorCoherence);
+  std::erase_if(poor.hits, [&](std::size_t h) { return silent.contains(h); });
+  if (!poor.hits.empty()) out.push_back(disagreement(poor, record.files.size() > 1));
   if (const auto negative = accepted_hits_with(hits, acquire::FindingCode::polarity); !negative.hits.empty()) {
     out.push_back(with_remedy({"polarity",
                                fmt::format("the force of {} is negative during the pulse, down to {:.4g} N: the FRFs "

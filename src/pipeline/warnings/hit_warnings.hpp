@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+#include <set>
 #include <vector>
 
 #include "acquire/record/record.hpp"
@@ -8,8 +10,10 @@
 
 namespace percuss::pipeline {
 
-/// rejected_hits, hits_disagree, polarity, implausible_force, low_bandwidth.
-std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
+/// rejected_hits, hits_disagree, polarity, implausible_force, low_bandwidth. `silent`: hits whose responses are noise
+/// alone, which agree with no others.
+std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                  const std::set<std::size_t>& silent = {});
 
 /// not_at_rest, and earlier_ringing for the ringing that was subtracted.
 std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits, const std::vector<EarlierRinging>& ringing);
