@@ -74,6 +74,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"narrow_arc", Severity::warn},
     {"driving_point_sign", Severity::warn},
     {"reciprocity", Severity::warn},
+    {"no_modes", Severity::warn},
     {"unclaimed_peaks", Severity::warn},
     {"unmodelled_poles", Severity::warn},
     {"crowded", Severity::warn},

@@ -99,6 +99,7 @@ constexpr auto kPlaces = std::to_array<PlacedCode>({
     {"tone", PagePart::fit},
     {"frac", PagePart::fit},
     {"model_misfit", PagePart::fit},
+    {"no_modes", PagePart::fit},
     {"unclaimed_peaks", PagePart::fit},
     {"local_fits", PagePart::fit},
     {"crowded", PagePart::fit},
