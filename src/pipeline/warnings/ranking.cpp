@@ -72,6 +72,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"double_peak", Severity::warn},
     {"sensor_on_node", Severity::warn},
     {"narrow_arc", Severity::warn},
+    {"driving_point_numbers", Severity::warn},
     {"driving_point_sign", Severity::warn},
     {"reciprocity", Severity::warn},
     {"no_modes", Severity::warn},

@@ -112,6 +112,7 @@ constexpr auto kPlaces = std::to_array<PlacedCode>({
     {"start_refused", PagePart::stabilisation},
     {"sensor_on_node", PagePart::shapes},
     {"sensors_disagree", PagePart::shapes},
+    {"driving_point_numbers", PagePart::shapes},
     {"driving_point_sign", PagePart::shapes},
     {"reciprocity", PagePart::shapes},
     {"no_geometry", PagePart::shapes},
