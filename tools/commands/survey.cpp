@@ -143,9 +143,9 @@ void give_to_host(const SurveyFlags& flags, const std::shared_ptr<const SurveyRe
   };
   SurveyFlags captured = flags;
   captured.output = captured_output(flags.output);
-  outcome.save = [results, document, captured](const std::string& path, bool force) {
+  outcome.save = [results, document, captured](const SaveRequest& request) {
     SurveyFlags file_flags = captured;
-    file_flags.output = single_output(captured.output, path, force);
+    file_flags.output = single_output(captured.output, request);
     check_survey_outputs(file_flags.output);
     write_outputs(file_flags, results->survey, document);
   };
