@@ -137,15 +137,22 @@ Object html_of(PyObject* self, const Arguments& /*arguments*/) {
   return object_of(held->outcome.html ? compute(held, [&] { return held->outcome.html(); }) : std::string());
 }
 
+// save(path, force[, ((option of the page, value), ...)]); the path and the values are bytes.
 Object save(PyObject* self, const Arguments& arguments) {
   const SharedResult& held = held_by(self);
-  const std::string path = arguments[0].bytes();
+  tools::SaveRequest request{.path = arguments[0].bytes(), .force = arguments[1].truth()};
+  const std::string& path = request.path;
+  if (arguments.size() > 2) {
+    for (const Object& option : arguments[2].items()) {
+      const std::vector<Object> pair = option.items();
+      request.page[pair.at(0).text()] = pair.at(1).bytes();
+    }
+  }
   if (!held->outcome.save)
     throw UsageError("save() does not write this result: " + one_line(path), "write its json to a file");
-  const bool force = arguments[1].truth();
   compute(held, [&] {
     require_same_arrays(*held, path);
-    held->outcome.save(path, force);
+    held->outcome.save(request);
   });
   return Object::none();
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -36,7 +37,7 @@ class PickledResult:
     def of_test(self, test: int) -> Any:
         return self._tests[test]
 
-    def save(self, path: bytes, force: bool) -> None:
+    def save(self, path: bytes, force: bool, page: Sequence[tuple[str, bytes]] = ()) -> None:
         raise UsageError("a result that was pickled cannot write this file", "call save() before pickling, or write its to_dict() or json")
 
 

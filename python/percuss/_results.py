@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -123,15 +123,47 @@ class Result(Mapping[str, Any]):
         call: save() compares a few hundred of their numbers and raises InputError if one differs; it cannot detect
         every change. A result that was pickled writes no files.
         """
-        self._outcome.save(os.fsencode(path), force)
+        self._write(path, force, [])
 
-    def report(self, path: str | os.PathLike[str], force: bool = False) -> None:
+    def _write(self, path: str | os.PathLike[str], force: bool, page: list[tuple[str, bytes]]) -> None:
+        """save() with the options of the page, by name."""
+        self._outcome.save(os.fsencode(path), force, page)
+
+    def report(
+        self,
+        path: str | os.PathLike[str],
+        force: bool = False,
+        *,
+        title: str | None = None,
+        customer: str | None = None,
+        operator: str | None = None,
+        specimen: str | None = None,
+        note: str | None = None,
+        logo: str | os.PathLike[str] | None = None,
+        paper: Literal["a4", "letter"] | None = None,
+    ) -> None:
         """Write the page of the command line: one .html file. It may show samples, so arrays must not have changed.
 
-        Raises as save()."""
+        title     the title of the page (default: the name of the file)
+        customer, operator, specimen   who ordered the test, who did it, what was tested
+        note      a text at the top of the page, or "@FILE": the text of a file
+        logo      a picture at the top of the page: a PNG, JPEG or SVG file of at most 200 kB
+        paper     the paper on which the page is printed: "a4" (default) or "letter"
+
+        They replace the options of these names of the function that made the result. Raises as save(); UsageError also
+        for a text that is too long, InputError for a note or a logo that cannot be read."""
         if os.path.splitext(os.fspath(path))[1].lower() != ".html":
             raise UsageError(f"cannot write a page to '{os.fspath(path)}'", "use a name that ends in .html")
-        self.save(path, force)
+        stated = {
+            "title": title,
+            "customer": customer,
+            "operator": operator,
+            "specimen": specimen,
+            "note": note,
+            "logo": logo,
+            "paper": paper,
+        }
+        self._write(path, force, [(name, os.fsencode(value)) for name, value in stated.items() if value is not None])
 
     def __str__(self) -> str:
         return self._outcome.text(_WIDTH) or self.json

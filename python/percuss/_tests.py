@@ -109,13 +109,11 @@ class TestResult(Result):
         """(points, channels, lines) ordinary coherence, 0 … 1; None if a point has a single hit."""
         return self.frf().coherence
 
-    def save(self, path: str | os.PathLike[str], force: bool = False) -> None:
+    def _write(self, path: str | os.PathLike[str], force: bool, page: list[tuple[str, bytes]]) -> None:
         shows_hits = os.path.splitext(os.fspath(path))[1].lower() in (".json", ".html", ".svg")
         if not shows_hits:
             self._require_hits()
-        super().save(path, force)
-
-    save.__doc__ = Result.save.__doc__
+        super()._write(path, force, page)
 
 
 class AveragedFrf(TestResult):

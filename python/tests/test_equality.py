@@ -268,6 +268,15 @@ def test_info_and_truth_print_the_same_document(tool):
     assert percuss.info("bat.h5", "none.csv").json == tool("info", "bat.h5", "none.csv", "--json").stdout
 
 
+def assert_equal_but_for_the_command(one, other):
+    """Both pages name the same options in their commands, in any order."""
+    lines, others = one.split("\n"), other.split("\n")
+    assert len(lines) == len(others)
+    differing = [(a, b) for a, b in zip(lines, others) if a != b]
+    assert all("percuss analyze" in a and "percuss analyze" in b for a, b in differing)
+    assert "--title=Bat 7" in one and "--paper=letter" in one
+
+
 def test_reports_equal_the_reports_of_the_command_line(tool, bat, monkeypatch):
     """The reports differ only in their command line: it names the output file only in the report of the tool."""
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "0")
@@ -277,6 +286,13 @@ def test_reports_equal_the_reports_of_the_command_line(tool, bat, monkeypatch):
     saved, printed = open("saved.html").read(), open("printed.html").read()
     assert "percuss analyze --band=60:3200 --json --quiet bat.h5" in saved
     assert saved == printed.replace(" -o printed.html", "")
+    stated = {"title": "Bat 7", "customer": "A", "operator": "B", "specimen": "C", "note": "D < E", "paper": "letter"}
+    percuss.analyze("bat.h5", band=BAND).report("stated.html", **stated)
+    options = [f"--{name}={value}" for name, value in stated.items()]
+    tool("analyze", "--band=60:3200", "--json", "--quiet", "bat.h5", *options, "-o", "printed-stated.html")
+    page = open("stated.html").read()
+    assert "<title>Bat 7" in page and "D &lt; E" in page
+    assert_equal_but_for_the_command(page, open("printed-stated.html").read())
     percuss.models.beam(support="free").report("beam.html")
     tool("model", "beam", "--support=free", "--json", "--quiet", "-o", "printed-beam.html")
     assert open("beam.html").read() == open("printed-beam.html").read().replace(" -o printed-beam.html", "")

@@ -183,6 +183,14 @@ def test_files_are_not_overwritten(tool, bat):
         found.save("x.xyz")
     with pytest.raises(percuss.UsageError, match="ends in .html"):
         found.report("x.pdf")
+    with pytest.raises(percuss.UsageError, match="paper"):
+        found.report("x.html", paper="a5")
+    with pytest.raises(percuss.UsageError, match="title"):
+        found.report("x.html", title="x" * 1000)
+    with pytest.raises(percuss.InputError, match="none.png"):
+        found.report("x.html", logo="none.png")
+    with pytest.raises(TypeError):
+        found.report("x.html", titel="x")
     with pytest.raises(percuss.InputError, match="file exists"):
         percuss.write("bat.csv", bat)
 

@@ -71,6 +71,7 @@ std::vector<Warning> Analysis::warnings() const {
     add(hit_scatter_warnings(modes()));
     add(mass_loading_warnings(modes()));
     add(truncation_warnings(modes(), lines(), window_decay_per_s(), force_known));
+    add(no_modes_warnings(modes(), band_Hz(), !options_.modes.start_Hz.empty()));
     if (!user_chose_modes) add(local_fit_warnings(modes()));
     if (modes().size() < options_.modes.start_Hz.size())
       add(refused_start_warnings(identify::refused_starts(fitted_frfs(), options_.modes)));

@@ -86,10 +86,11 @@ bool Survey::is_tube() const {
 
 void Survey::place_points() {
   if (!geometry_) return;
-  std::vector<std::size_t> stated;
-  for (const identify::DrivingPoint& at : options_.driving) stated.push_back(at.point);
   const std::set<int> measured = places();
-  if (options_.geometry) geometry_warnings_ = match_point_numbers(*geometry_, measured, stated);
+  if (options_.geometry) {
+    geometry_from_one_ = counts_from_one(*geometry_, measured);
+    geometry_warnings_ = match_point_numbers(*geometry_, measured);
+  }
   for (const acquire::GeometryPoint& p : geometry_->points) {
     if (is_tube()) tube_places_[static_cast<std::size_t>(p.point)] = {p.position_m, p.angle_rad};
   }
@@ -106,7 +107,18 @@ void Survey::place_points() {
 void Survey::find_driving_points() {
   const auto& accel = analysis_.record().accel;
   const auto points = analysis_.points();
-  for (const identify::DrivingPoint& at : options_.driving) {
+  driving_ = options_.driving;
+  if (!options_.stated_driving.empty()) {
+    const acquire::Record& record = analysis_.record();
+    DrivingPoints found = driving_points_of(options_.stated_driving,
+                                            {.points = points,
+                                             .files = files_of_points(record, points),
+                                             .geometry_from_one = geometry_from_one_ && record.motions.empty()},
+                                            record.source());
+    driving_.insert(driving_.end(), found.points.begin(), found.points.end());
+    geometry_warnings_.insert(geometry_warnings_.end(), found.warnings.begin(), found.warnings.end());
+  }
+  for (const identify::DrivingPoint& at : driving_) {
     if (points.contains(static_cast<int>(at.point)) && at.channel < accel.size()) continue;
     throw InputError(fmt::format("point {} with channel {} was not measured", at.point, at.channel),
                      analysis_.record().source(),
@@ -114,7 +126,6 @@ void Survey::find_driving_points() {
                                  *points.rbegin(), accel.size() - 1),
                      {"driving_point"});
   }
-  driving_ = options_.driving;
   if (driving_.empty()) {
     for (const acquire::DrivingPlace& at : analysis_.record().driving) {
       if (points.contains(at.point) && at.channel < accel.size())

@@ -14,15 +14,17 @@
 #include "identify/shapes/mode_shapes.hpp"
 #include "identify/shapes/shape_checks.hpp"
 #include "pipeline/analysis.hpp"
+#include "pipeline/stated_driving_points.hpp"
 #include "pipeline/warnings/survey_warnings.hpp"
 
 namespace percuss::pipeline {
 
 struct SurveyOptions {
-  std::optional<acquire::Geometry> geometry;    // default: the record's own
-  std::optional<identify::Roving> roving{};     // default: as the record states, else the hammer
-  std::vector<identify::DrivingPoint> driving;  // empty: those of the record, else points of a tube with a sensor
-  std::string geometry_source{};                // file of the geometry, for messages; empty: none
+  std::optional<acquire::Geometry> geometry;         // default: the record's own
+  std::optional<identify::Roving> roving{};          // default: as the record states, else the hammer
+  std::vector<identify::DrivingPoint> driving;       // empty: those of the record, else points of a tube with a sensor
+  std::vector<StatedDrivingPoint> stated_driving{};  // further ones, in the numbers that a user sees
+  std::string geometry_source{};                     // file of the geometry, for messages; empty: none
 };
 
 /// A test of many points: mode shapes from the modes' residues and the points' positions. Each result is computed when
@@ -72,7 +74,8 @@ class Survey {
   SurveyOptions options_;
   identify::Roving roving_;
   std::optional<acquire::Geometry> geometry_;
-  std::vector<Warning> geometry_warnings_;
+  bool geometry_from_one_ = false;
+  std::vector<Warning> geometry_warnings_;  // also about the numbers of driving points
   identify::TubeGeometry tube_places_;
   std::vector<identify::DrivingPoint> driving_;
   Lazy<std::vector<identify::ModeShape>> shapes_;

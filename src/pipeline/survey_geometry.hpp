@@ -8,11 +8,13 @@
 
 namespace percuss::pipeline {
 
-/// Matches the point numbers of a stated geometry to the record's: a geometry that counts from 1 where the record
-/// counts from 0 is renumbered, with its lines and faces. The warnings state this, an assumed unit, and the geometry's
-/// number of each driving point that the user stated (`driving`: numbers of the record).
-std::vector<Warning> match_point_numbers(acquire::Geometry& geometry, const std::set<int>& measured,
-                                         const std::vector<std::size_t>& driving = {});
+/// Whether the geometry counts its points from 1 where the record counts from 0: all measured points are present only
+/// after one is subtracted.
+bool counts_from_one(const acquire::Geometry& geometry, const std::set<int>& measured);
+
+/// Matches the point numbers of a stated geometry to the record's: a geometry that counts_from_one() is renumbered,
+/// with its lines and faces. The warnings state this, and an assumed unit.
+std::vector<Warning> match_point_numbers(acquire::Geometry& geometry, const std::set<int>& measured);
 
 /// errors  InputError at `where`: the geometry lacks a point that was measured. If it may number its points from
 /// 1 and the record from 0, the message states the missing point in these numbers, too.

@@ -63,7 +63,8 @@ std::string missing_errors_text(const metrics::UncertainValue& value) {
     if (value.unknown(static_cast<metrics::Reading>(i))) names.emplace_back(kReadingNames.at(i));
   }
   if (names.empty()) return "";
-  return fmt::format("; {} {}", value.std() > 0 ? "± without" : "no ±: no resolution of", fmt::join(names, ", "));
+  return fmt::format("; {} {}", std_without_rounding(value) > 0 ? "± without" : "no ±: no resolution of",
+                     fmt::join(names, ", "));
 }
 
 Json metrics_warning_json(const metrics::MetricsWarning& warning) {
@@ -81,7 +82,7 @@ ReportText text_of_metrics(const std::vector<MetricLine>& lines, const metrics::
       ++absent;
       continue;
     }
-    table.add({line.title, value_with_std(line.value->value(), line.value->std()), line.unit,
+    table.add({line.title, value_with_std(line.value->value(), std_without_rounding(*line.value)), line.unit,
                line.equation + missing_errors_text(*line.value)});
   }
   ReportText out;

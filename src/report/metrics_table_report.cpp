@@ -99,7 +99,7 @@ TextTable table_of_bats(const std::vector<NamedMetrics>& bats, const std::vector
     std::vector<std::string> cells{bats[b].label.id};
     for (const std::size_t m : shown) {
       const auto& value = lines[b][m].value;
-      cells.push_back(value ? value_with_std(value->value(), value->std()) : "");
+      cells.push_back(value ? value_with_std(value->value(), std_without_rounding(*value)) : "");
     }
     table.add(std::move(cells));
   }

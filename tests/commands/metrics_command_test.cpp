@@ -46,6 +46,17 @@ TEST(MetricsCommand, StatesEveryUncertaintyAndItsSources) {
   EXPECT_NEAR(bat["uncertainty"]["drop"]["std"].get<double>(), std::hypot(step, 0.005 / std::sqrt(12.0)), kRounding);
 }
 
+// 6 in off the tip these metrics do not change with z: rounding errors are no ±, whatever the length.
+TEST(MetricsCommand, TakesNoRoundingErrorForAnUncertainty) {
+  for (const char* length_in : {"30", "31", "32", "33", "34"}) {
+    const auto outcome =
+        run_percuss({"metrics", "--length-in", length_in, "--z-in", "6", "--v-in-mph", "136", "--v-out-mph", "25"});
+    EXPECT_THAT(outcome.out, HasSubstr("(P5); no ±: no resolution of z_in\n")) << length_in;
+    EXPECT_THAT(outcome.out, HasSubstr("(P7); no ±: no resolution of z_in, v_in_mph, v_out_mph\n")) << length_in;
+    EXPECT_THAT(outcome.out, testing::Not(HasSubstr("± without"))) << length_in;
+  }
+}
+
 TEST(MetricsCommand, AcceptsTimesOfALightGate) {
   const auto bat = metrics_of(
       {"--length-in", "34", "--weight-oz", "31", "--cg-in", "12.5", "--gate-times-s", "0.10,0.83,1.52,2.25,2.94,3.67"});

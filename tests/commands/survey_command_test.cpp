@@ -257,6 +257,9 @@ TEST_F(SurveyCommand, RejectsUnusableInput) {
   const auto unknown = survey({file("bare.h5"), "--driving-point", "3:x"});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_THAT(unknown.err, testing::HasSubstr("the channel counted from 0, such as 17:0"));
+  for (const char* wrong : {"3:", ":0", ""})
+    EXPECT_EQ(survey({file("bare.h5"), "--driving-point", wrong}).code, 2) << wrong;
+  refusal({file("bare.h5"), "--driving-point", "P7:0"}, "no file \"P7\" is a point of its own");
   EXPECT_THAT(survey({"--help"}).out, testing::HasSubstr("1:0"));
   EXPECT_EQ(survey({file("bare.h5"), "--files", "tests"}).code, 2);
 }

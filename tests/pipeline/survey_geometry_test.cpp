@@ -26,16 +26,6 @@ TEST(SurveyGeometry, CountsFromZeroWithItsLinesAndFaces) {
   EXPECT_THAT(geometry.faces.front(), ElementsAre(0, 1, 2));
 }
 
-TEST(SurveyGeometry, SaysWhichOfItsPointsADrivingPointIs) {
-  acquire::Geometry geometry = triangle(1);
-  const auto warnings = match_point_numbers(geometry, {0, 1, 2}, {1, 2});
-  ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_THAT(
-      warnings.front().message,
-      testing::EndsWith(", so that driving point 1 is the geometry's point 2, driving point 2 is the geometry's "
-                        "point 3"));
-}
-
 TEST(SurveyGeometry, StaysWhereItsNumbersFit) {
   for (const std::set<int>& measured : std::vector<std::set<int>>{{1, 2}, {1, 2, 3}, {0, 7}}) {
     acquire::Geometry geometry = triangle(1);

@@ -21,6 +21,7 @@ using std::numbers::pi;
 using testing::Contains;
 using testing::Field;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr double kDegree = pi / 180;
 constexpr double kDeviations = 5;  // allowed standard deviations; 5, because dozens of values are compared
@@ -260,6 +261,32 @@ TEST(Survey, TakesTheDrivingPointsThatTheRecordStates) {
   EXPECT_EQ(Survey(stated, {}).driving_points()[0].point, 1U);
   EXPECT_EQ(Survey(stated, {.driving = {{.point = 2, .channel = 0}}}).driving_points()[0].point, 2U)
       << "the user's choice";
+}
+
+// One file per point, P1.csv to P16.csv, and a geometry that counts from 1: the user's point 7 is P7.csv.
+TEST(Survey, TakesTheNumberOfADrivingPointFromTheNameOfItsFile) {
+  synth::SynthSpec spec = roving(barrel(), 2);
+  spec.modes.resize(1);
+  acquire::Record record = synth::synthesise(spec).record;
+  acquire::Geometry geometry = acquire::geometry_of_record(record.geometry).value();
+  acquire::shift_points(geometry, 1);
+  record.geometry.clear();  // no position shows a driving point
+  record.files.clear();
+  for (std::size_t p = 0; p < 16; ++p) record.files.push_back({.path = "P" + std::to_string(p + 1) + ".csv"});
+  for (acquire::RowInfo& row : record.rows) row.file = static_cast<std::size_t>(row.point);
+  const Analysis analysis(record, in_band());
+  const Survey numbered(analysis, {.geometry = geometry, .stated_driving = {{.point = 7}}});
+  ASSERT_EQ(numbered.driving_points().size(), 1U);
+  EXPECT_EQ(numbered.driving_points()[0].point, 6U);
+  EXPECT_THAT(numbered.warnings(), Contains(Field(&Warning::code, "driving_point_numbers")));
+  const Survey named(analysis, {.geometry = geometry, .stated_driving = {{.file = "P7"}}});
+  EXPECT_EQ(named.driving_points().at(0).point, 6U);
+  EXPECT_THAT(named.warnings(), Not(Contains(Field(&Warning::code, "driving_point_numbers"))));
+  const Survey own(analysis, {.geometry = geometry, .driving = {{.point = 7, .channel = 0}}});
+  EXPECT_EQ(own.driving_points().at(0).point, 7U) << "the record's number, as in C++";
+  EXPECT_THAT(
+      test::input_error_of([&] { const Survey survey(analysis, {.stated_driving = {{.point = 7, .channel = 1}}}); }),
+      HasSubstr("with channel 1 was not measured"));
 }
 
 TEST(Survey, WarnsOfAWrongDrivingPointSignAndBrokenReciprocity) {

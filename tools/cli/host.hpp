@@ -19,6 +19,14 @@ namespace percuss::tools {
 /// Data in memory in place of a file; the reading options apply to it.
 using InMemoryInput = std::function<std::variant<acquire::Record, acquire::FrfRecord>(const acquire::FrfReadOptions&)>;
 
+/// A file that a host saves after the command has run, as -o PATH with --force. `page`: options of the page by their
+/// names without dashes ("title", "paper"), in place of those of the command.
+struct SaveRequest {
+  std::string path;
+  bool force = false;
+  std::map<std::string, std::string> page{};
+};
+
 /// The result of a command; parts that the command does not produce stay empty. Only one thread at a time may call the
 /// functions.
 struct CommandResult {
@@ -26,8 +34,8 @@ struct CommandResult {
   std::vector<Message> notes;  // remarks, which the command line prints on standard error
   /// The text for a terminal of the given width; `write_option` writes the options of warnings.
   std::function<std::string(std::size_t width, OptionWriter write_option)> text;
-  std::function<std::string()> html;                              // the main table as HTML elements
-  std::function<void(const std::string& path, bool force)> save;  // as -o PATH
+  std::function<std::string()> html;  // the main table as HTML elements
+  std::function<void(const SaveRequest& request)> save;
   /// Of a result of several tests: the result of one test, as if that test had been given alone.
   std::function<CommandResult(std::size_t test)> of_test;
   std::size_t tests = 0;                                            // of analyze: the number of tests

@@ -16,6 +16,7 @@
 #include "cli/option_error.hpp"
 #include "cli/option_names.hpp"
 #include "cli/page_output.hpp"
+#include "cli/shell_argument.hpp"
 #include "cli/terminal/color.hpp"
 #include "core/error.hpp"
 #include "core/visible_text.hpp"
@@ -84,6 +85,15 @@ OutputFlags single_output(const OutputFlags& kept, const std::string& path, bool
   one.paths = {path};
   if (!is_page(path)) one.title = {};  // it stands on pages alone
   one.force = force;
+  return one;
+}
+
+OutputFlags single_output(const OutputFlags& kept, const SaveRequest& request) {
+  OutputFlags one = single_output(kept, request.path, request.force);
+  for (const auto& [name, value] : request.page) {
+    set_title_flag(one.title, name, value);
+    one.equivalent_command += " " + shell_quoted_argument("--" + name + "=" + value);
+  }
   return one;
 }
 

@@ -33,6 +33,9 @@ CsvFormulas csv_formulas(bool keep_formulas);
 OutputFlags captured_output(const OutputFlags& flags);
 /// `kept` with this path alone, and this value of --force. The title is kept for pages only.
 OutputFlags single_output(const OutputFlags& kept, const std::string& path, bool force);
+/// As above, with the options of the page that the host states, which its command line names as well.
+/// errors  OptionError: an unknown paper
+OutputFlags single_output(const OutputFlags& kept, const SaveRequest& request);
 
 /// Prints the result of a command on standard output, a text in colour where wants_color() allows it, or gives it to
 /// the host.

@@ -60,10 +60,10 @@ int show_report(const report::CommandReport& report, const OutputFlags& flags, c
   outputs.commit();
   print_report(report, flags);
   if (flags.host != nullptr) {
-    flags.host->outcome.save = [report, inputs, output = captured_output(flags)](const std::string& path, bool force) {
-      const OutputFlags file_flags = single_output(output, path, force);
+    flags.host->outcome.save = [report, inputs, output = captured_output(flags)](const SaveRequest& request) {
+      const OutputFlags file_flags = single_output(output, request);
       check_report_outputs(file_flags);
-      write_report(path, report, inputs, file_flags);
+      write_report(request.path, report, inputs, file_flags);
     };
   }
   return kOk;

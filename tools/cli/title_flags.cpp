@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "cli/option_error.hpp"
 #include "core/io/input_file.hpp"
 #include "report/html/logo.hpp"
@@ -32,6 +34,19 @@ std::string logo_of(const std::string& path) { return path.empty() ? "" : report
 
 bool TitleFlags::given() const {
   return !(title + customer + operator_name + specimen + note + logo).empty() || paper != TitleFlags{}.paper;
+}
+
+void set_title_flag(TitleFlags& flags, const std::string& name, const std::string& value) {
+  static const std::map<std::string, std::string TitleFlags::*> members{{"title", &TitleFlags::title},
+                                                                        {"customer", &TitleFlags::customer},
+                                                                        {"operator", &TitleFlags::operator_name},
+                                                                        {"specimen", &TitleFlags::specimen},
+                                                                        {"note", &TitleFlags::note},
+                                                                        {"logo", &TitleFlags::logo},
+                                                                        {"paper", &TitleFlags::paper}};
+  if (name == "paper" && value != "a4" && value != "letter")
+    throw OptionError::wrong_value("paper", value, "choose a4 or letter");
+  flags.*members.at(name) = value;
 }
 
 void add_title_flags(Command& command, TitleFlags& flags) {

@@ -18,6 +18,10 @@ struct TitleFlags {
 
 void add_title_flags(Command& command, TitleFlags& flags);
 
+/// Sets the flag that `name` ("title", …, "paper") names.
+/// errors  OptionError: a paper that add_title_flags() does not offer. std::out_of_range: an unknown name.
+void set_title_flag(TitleFlags& flags, const std::string& name, const std::string& value);
+
 /// The statements with the files read. errors  InputError: a file that cannot be read, or is no picture; OptionError: a
 /// text that is too long.
 report::TitleBlock title_block(const TitleFlags& flags);

@@ -202,9 +202,9 @@ CommandResult outcome_of(const std::shared_ptr<const AnalyzeResults>& results, c
     return text_of(*results, {.width = width, .write_option = write_option});
   };
   outcome.html = [results] { return html_of(*results); };
-  outcome.save = [results, captured](const std::string& path, bool force) {
+  outcome.save = [results, captured](const SaveRequest& request) {
     AnalyzeFlags flags = results->flags;
-    flags.output = single_output(captured, path, force);
+    flags.output = single_output(captured, request);
     flags.frf_path.clear();
     flags.modes_path.clear();
     check_analyze_outputs(flags);

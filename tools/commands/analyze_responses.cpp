@@ -80,11 +80,11 @@ bool all_possible(const std::vector<pipeline::ResponseTest>& tests) {
 
 // Adds what the outcome of the tests' report lacks.
 void complete_outcome(CommandResult& outcome, const SharedTests& tests) {
-  outcome.save = [tests, save_report = outcome.save](const std::string& path, bool force) {
-    if (is_modes_table(path)) {
-      write_file(path, report::modes_csv(*tests), force);
+  outcome.save = [tests, save_report = outcome.save](const SaveRequest& request) {
+    if (is_modes_table(request.path)) {
+      write_file(request.path, report::modes_csv(*tests), request.force);
     } else {
-      save_report(path, force);
+      save_report(request);
     }
   };
   outcome.tests = tests->size();

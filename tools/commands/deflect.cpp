@@ -112,9 +112,9 @@ int deflect_files(const DeflectFlags& flags) {
     CommandResult& outcome = flags.output.host->outcome;
     outcome.analyses = {shared_analysis};
     outcome.deflection = deflected;
-    outcome.save = [output = captured_output(flags.output), report, shared_analysis, deflected](const std::string& path,
-                                                                                                bool force) {
-      const OutputFlags file_flags = single_output(output, path, force);
+    outcome.save = [output = captured_output(flags.output), report, shared_analysis,
+                    deflected](const SaveRequest& request) {
+      const OutputFlags file_flags = single_output(output, request);
       check_deflection_outputs(file_flags);
       write_deflection(file_flags, report, *shared_analysis, *deflected);
     };

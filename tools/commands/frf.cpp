@@ -69,9 +69,9 @@ void give_to_host(const OutputFlags& output, const std::shared_ptr<const pipelin
     return report::analysis_text(*analysis, {.sections = kShown, .width = width, .write_option = write_option});
   };
   if (!analysis->possible()) return;
-  outcome.save = [output = captured_output(output), analysis, kind, summary = outcome.document](const std::string& path,
-                                                                                                bool force) {
-    const OutputFlags file_flags = single_output(output, path, force);
+  outcome.save = [output = captured_output(output), analysis, kind,
+                  summary = outcome.document](const SaveRequest& request) {
+    const OutputFlags file_flags = single_output(output, request);
     check_frf_outputs(file_flags);
     write_frf_outputs(file_flags, *analysis, kind, summary);
   };

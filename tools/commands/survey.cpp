@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <charconv>
 #include <memory>
+#include <string_view>
 
 #include "cli/analysis_flags.hpp"
 #include "cli/open_files.hpp"
@@ -13,6 +15,7 @@
 #include "commands/commands.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/parse_number.hpp"
 #include "report/gltf/shapes_glb.hpp"
 #include "report/html/survey_page.hpp"
 #include "report/json/survey_json.hpp"
@@ -38,27 +41,28 @@ struct SurveyFlags {
   bool example = false;
 };
 
-// Reads "POINT" or "POINT:CHANNEL".
-identify::DrivingPoint parse_driving(const std::string& text) {
-  identify::DrivingPoint at;
-  const char* const end = text.data() + text.size();
-  auto [rest, error] = std::from_chars(text.data(), end, at.point);
-  bool good = error == std::errc{};
-  if (good && rest != end) {
-    good = *rest == ':';
-    const auto channel = std::from_chars(rest + (good ? 1 : 0), end, at.channel);
-    good = good && channel.ec == std::errc{} && channel.ptr == end;
+// Reads "POINT" or "POINT:CHANNEL", where POINT is a number or the name of a file.
+pipeline::StatedDrivingPoint parse_driving(const std::string& text) {
+  pipeline::StatedDrivingPoint at;
+  const auto number = [](std::string_view digits, auto& value) {
+    if (digits.empty() || !std::all_of(digits.begin(), digits.end(), is_digit)) return false;
+    return std::from_chars(digits.data(), digits.data() + digits.size(), value).ec == std::errc{};
+  };
+  const std::size_t colon = text.rfind(':');
+  const std::string point = text.substr(0, colon);
+  if (point.empty() || (colon != std::string::npos && !number(std::string_view(text).substr(colon + 1), at.channel))) {
+    throw OptionError::wrong_value(
+        "driving_point", text, "give POINT:CHANNEL, the point's number and the channel counted from 0, such as 17:0");
   }
-  if (good) return at;
-  throw OptionError::wrong_value("driving_point", text,
-                                 "give POINT:CHANNEL, the point's number and the channel counted from 0, such as 17:0");
+  if (!number(point, at.point)) at.file = point;
+  return at;
 }
 
 pipeline::SurveyOptions survey_options(const SurveyFlags& flags) {
   pipeline::SurveyOptions options;
   if (!flags.roving.empty())
     options.roving = flags.roving == "sensor" ? identify::Roving::sensor : identify::Roving::hammer;
-  for (const std::string& text : flags.driving) options.driving.push_back(parse_driving(text));
+  for (const std::string& text : flags.driving) options.stated_driving.push_back(parse_driving(text));
   if (!flags.geometry_path.empty()) {
     options.geometry = acquire::read_geometry(flags.geometry_path);
     options.geometry_source = flags.geometry_path;
@@ -139,9 +143,9 @@ void give_to_host(const SurveyFlags& flags, const std::shared_ptr<const SurveyRe
   };
   SurveyFlags captured = flags;
   captured.output = captured_output(flags.output);
-  outcome.save = [results, document, captured](const std::string& path, bool force) {
+  outcome.save = [results, document, captured](const SaveRequest& request) {
     SurveyFlags file_flags = captured;
-    file_flags.output = single_output(captured.output, path, force);
+    file_flags.output = single_output(captured.output, request);
     check_survey_outputs(file_flags.output);
     write_outputs(file_flags, results->survey, document);
   };
@@ -207,9 +211,9 @@ void add_survey(CommandLine& line) {
   command
       .list("--driving-point", flags->driving,
             "Name driving points: a point struck beside the sensor of a channel, by the point's number and the "
-            "channel's, which counts from 0 as in JSON; 1:0 is point 1 and the first channel (default: points at the "
-            "position of a "
-            "sensor)")
+            "channel's, which counts from 0 as in JSON; 1:0 is point 1 and the first channel. Where each file is a "
+            "point, POINT is the number in the file's name (else in a geometry that counts from 1), or the name: P7:0 "
+            "(default: points at the position of a sensor)")
       .type("POINT:CHANNEL,...");
   command.list("--picture", flags->pictures, "Draw these pictures in a .svg file")
       .one_of(report::survey_chart_names())

@@ -104,10 +104,10 @@ void give_to_host(const SynthFlags& flags, const std::shared_ptr<const synth::Sy
   CommandResult& outcome = flags.host->outcome;
   outcome.document = truth;
   outcome.synthetic = test;
-  outcome.save = [flags, test, truth](const std::string& path, bool force) {
+  outcome.save = [flags, test, truth](const SaveRequest& request) {
     SynthFlags file_flags = flags;
-    file_flags.outputs = {path};
-    file_flags.force = force;
+    file_flags.outputs = {request.path};
+    file_flags.force = request.force;
     file_flags.host = nullptr;
     check_outputs(file_flags);
     write_outputs(file_flags, *test, truth);

@@ -77,10 +77,10 @@ class FrequencyFit {
     return columns;
   }
 
-  // The best start from a range of T*. Only the fitted parameters change.
+  // The best start: the given values, or values from a range of T*. Only the fitted parameters change.
   Eigen::VectorXd best_start() const {
     Eigen::VectorXd best = logs_of(start_);
-    double least = std::numeric_limits<double>::infinity();
+    double least = is_within_limits(best) ? residual(best).squaredNorm() : std::numeric_limits<double>::infinity();
     constexpr int kCandidates = 61;
     for (int i = 0; i < kCandidates; ++i) {
       const double relative = std::pow(10, -5 + 10.0 * i / (kCandidates - 1));

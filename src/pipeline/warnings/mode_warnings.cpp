@@ -80,6 +80,20 @@ std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes
       "analyse a narrower band around these modes, or state a starting frequency for a missing one")};
 }
 
+std::vector<Warning> no_modes_warnings(const std::vector<identify::Mode>& modes, std::pair<double, double> band_Hz,
+                                       bool started) {
+  if (!modes.empty()) return {};
+  if (started) {
+    return {with_remedy({"no_modes", "no mode was found at the starting frequencies", {"start"}},
+                        "state frequencies of peaks, or none")};
+  }
+  return {with_remedy({"no_modes",
+                       fmt::format("no mode was found from {:.4g} to {:.4g} Hz: nothing rises above the noise there",
+                                   band_Hz.first, band_Hz.second),
+                       {"band"}},
+                      "check the band, the sensors and the hits")};
+}
+
 std::vector<Warning> unmodelled_peak_warnings(std::vector<identify::UnmodelledPeak> peaks,
                                               std::pair<double, double> band_Hz) {
   std::erase_if(peaks, [&](const identify::UnmodelledPeak& peak) {

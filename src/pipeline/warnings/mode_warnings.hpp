@@ -17,6 +17,10 @@ std::vector<Warning> force_noise_warnings(const std::vector<identify::Mode>& mod
 /// moving_modes: frequencies that differ from point to point.
 std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& modes);
 
+/// no_modes: no mode was found. `started`: the user stated starting frequencies.
+std::vector<Warning> no_modes_warnings(const std::vector<identify::Mode>& modes, std::pair<double, double> band_Hz,
+                                       bool started);
+
 /// unclaimed_peaks: prominent peaks within the band that no mode models.
 /// peaks  the largest first.
 std::vector<Warning> unmodelled_peak_warnings(std::vector<identify::UnmodelledPeak> peaks,

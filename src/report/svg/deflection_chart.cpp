@@ -14,6 +14,7 @@ namespace percuss::report {
 namespace {
 
 constexpr std::size_t kMaxHitsDrawn = 12, kMaxPointsDrawn = 24;
+constexpr double kMaxDrawnStd = 0.5;  // of the peak: a curve ends where its ± exceeds this part
 
 double measured_peak_m(const pipeline::DeflectedHit& hit) {
   return hit.deflection.has_peak() ? std::abs(hit.deflection.peak_m) : 0;
@@ -51,6 +52,34 @@ std::string place_of(const pipeline::DeflectedHit& hit) {
   return hit.position_m ? fmt::format("{:g} m", *hit.position_m) : fmt::format("point {}", hit.point);
 }
 
+// The samples before the standard deviation exceeds kMaxDrawnStd of the peak. A hit without a significant deflection
+// has no peak; it is drawn as far as the peak of another hit, `largest_m`, allows.
+std::size_t determined_samples(const metrics::Deflection& d, double largest_m) {
+  const double peak_m = d.has_peak() ? std::abs(d.peak_m) : largest_m;
+  if (d.std_m.empty() || !(peak_m > 0)) return d.deflection_m.size();
+  const auto from = d.std_m.begin() + static_cast<std::ptrdiff_t>(d.has_peak() ? d.peak : 0);
+  const auto end = std::find_if(from, d.std_m.end(), [&](double std_m) { return std_m > kMaxDrawnStd * peak_m; });
+  return static_cast<std::size_t>(end - d.std_m.begin());
+}
+
+// Adds the curve of a hit, with the band of its standard deviation.
+void add_curve(const pipeline::Analysis& analysis, const pipeline::DeflectedHit& hit, std::string name,
+               std::size_t samples, LineChart& chart) {
+  const metrics::Deflection& d = hit.deflection;
+  ChartCurve curve{.name = std::move(name)};
+  ChartBand band{.style = chart.curves.size()};
+  for (std::size_t i = 0; i < samples; ++i) {
+    curve.x.push_back(sample_time_s(analysis, hit, i));
+    curve.y.push_back(1000 * d.deflection_m[i]);
+    if (d.std_m.empty()) continue;
+    band.low.push_back(1000 * (d.deflection_m[i] - d.std_m[i]));
+    band.high.push_back(1000 * (d.deflection_m[i] + d.std_m[i]));
+  }
+  band.x = curve.x;
+  if (!band.low.empty()) chart.bands.push_back(std::move(band));
+  chart.curves.push_back(std::move(curve));
+}
+
 }  // namespace
 
 LineChart deflection_chart(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test) {
@@ -62,17 +91,21 @@ LineChart deflection_chart(const pipeline::Analysis& analysis, const pipeline::I
                   .x = {.label = "time, s"},
                   .y = {.label = "deflection, mm"},
                   .curves = {}};
-  for (const pipeline::DeflectedHit* hit : several ? hits_of_points(test) : largest_hits(test)) {
+  const std::vector<const pipeline::DeflectedHit*> hits = several ? hits_of_points(test) : largest_hits(test);
+  double largest_m = 0;
+  for (const pipeline::DeflectedHit* hit : hits) largest_m = std::max(largest_m, measured_peak_m(*hit));
+  bool all_drawn = true;
+  for (const pipeline::DeflectedHit* hit : hits) {
     const std::string sensor = channel_name(analysis, hit->channel);
-    ChartCurve curve{.name = !several      ? fmt::format("hit {}, {}", hit->hit + 1, sensor)
-                             : one_channel ? place_of(*hit)
-                                           : fmt::format("{}, {}", place_of(*hit), sensor)};
-    for (std::size_t i = 0; i < hit->deflection.deflection_m.size(); ++i) {
-      curve.x.push_back(sample_time_s(analysis, *hit, i));
-      curve.y.push_back(1000 * hit->deflection.deflection_m[i]);
-    }
-    chart.curves.push_back(std::move(curve));
+    const std::size_t samples = determined_samples(hit->deflection, largest_m);
+    all_drawn = all_drawn && samples == hit->deflection.deflection_m.size();
+    add_curve(analysis, *hit,
+              !several      ? fmt::format("hit {}, {}", hit->hit + 1, sensor)
+              : one_channel ? place_of(*hit)
+                            : fmt::format("{}, {}", place_of(*hit), sensor),
+              samples, chart);
   }
+  if (!all_drawn) chart.title += ", until its ± exceeds half the peak";
   return chart;
 }
 

@@ -95,8 +95,12 @@ std::string scale_text(const pipeline::Survey& survey) {
   if (unit == 0) return "shapes: scaled to 1 at their largest component, because no driving point is known\n";
   std::string points;
   const auto& names = survey.analysis().record().accel;
-  for (const identify::DrivingPoint& at : survey.driving_points())
-    points += fmt::format("{}point {} ({})", points.empty() ? "" : ", ", at.point, names.at(at.channel).name);
+  const std::vector<std::string> files =
+      pipeline::files_of_points(survey.analysis().record(), survey.analysis().points());
+  for (const identify::DrivingPoint& at : survey.driving_points()) {
+    const std::string file = files.empty() ? "" : one_line(files.at(at.point)) + ", ";
+    points += fmt::format("{}point {} ({}{})", points.empty() ? "" : ", ", at.point, file, names.at(at.channel).name);
+  }
   return fmt::format(
       "shapes: unit modal mass, from the driving {}{}\n", points,
       static_cast<std::size_t>(unit) < shapes.size() ? "; the others are scaled to 1 at their largest component" : "");

@@ -101,6 +101,17 @@ TEST_F(BatchCommand, AgreesWithAnalyze) {
   EXPECT_EQ(mode["ratio_re"], analysis["modes"][1]["ratio"]["re"]);
 }
 
+// The modes at 200 and 700 Hz lie outside the band.
+TEST_F(BatchCommand, FlagsARecordWithoutModes) {
+  plan({"--band", "1000:1300"});
+  run();
+  const auto record = test::parse_json(lines_of(merged("r.jsonl")).at(1));
+  EXPECT_EQ(record["id"], "a");
+  EXPECT_EQ(record["code"], 0) << "it is a result";
+  EXPECT_EQ(record["modes"], 0);
+  EXPECT_THAT(record["warnings"], testing::Contains("no_modes"));
+}
+
 TEST_F(BatchCommand, ReportsABadRecordAsAnalyzeDoes) {
   plan();
   ASSERT_EQ(run().code, 6);

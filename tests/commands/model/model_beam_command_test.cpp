@@ -60,6 +60,26 @@ TEST(ModelBeamCommand, FitsMeasuredFrequencies) {
   EXPECT_TRUE(free["fit"]["parameters"][0]["std"].is_null());
 }
 
+// Each start is far from the value that the frequencies have, of the beam with EI 4000, spring 1200 and ρA 2.24.
+TEST(ModelBeamCommand, TakesAGivenValueOfAFittedParameterForItsStart) {
+  const std::vector<std::string> measured{"--measured", "14.536,322.433,1037.79", "--measured-std", "0.01"};
+  const auto fitted = [&](std::vector<std::string> words) {
+    words.insert(words.end(), measured.begin(), measured.end());
+    return document(words)["fit"]["parameters"];
+  };
+  EXPECT_NEAR(fitted({"--fit", "ei", "--ei", "35"})[0]["value"].get<double>(), 4000, 1);
+  EXPECT_NEAR(fitted({"--fit", "torsion", "--torsion", "9000"})[0]["value"].get<double>(), 1200, 1);
+  EXPECT_NEAR(fitted({"--fit", "torsion", "--torsion", "0"})[0]["value"].get<double>(), 1200, 1);
+  EXPECT_NEAR(fitted({"--fit", "rho-a", "--rho-a", "90"})[0]["value"].get<double>(), 2.24, 1e-3);
+  const auto both = fitted({"--fit", "ei,torsion", "--ei", "70", "--torsion", "4e4"});
+  EXPECT_NEAR(both[0]["value"].get<double>(), 4000, 1);
+  EXPECT_NEAR(both[1]["value"].get<double>(), 1200, 1);
+  EXPECT_NEAR(fitted({"--fit", "ei", "--layer", "7e10:0.1:0.002"})[0]["value"].get<double>(), 4000, 1);
+  // A spring without stiffness is a pin: its first mode is a rigid-body mode.
+  const auto pinned = document({"--torsion", "0", "--fit", "ei", "--measured", "319.1605"});
+  EXPECT_NEAR(pinned["fit"]["parameters"][0]["value"].get<double>(), 4000, 1);
+}
+
 TEST(ModelBeamCommand, ComputesTheSpringFromStaticReadings) {
   // 10 N and 20 N at 0.5 m: P a²/T + P a³/(3 EI) with T = 1200, EI = 4000.
   const auto fit = document({"--static", "10:0.5:0.0021875", "--static", "20:0.5:0.004375"});
@@ -99,7 +119,7 @@ TEST(ModelBeamCommand, NamesTheInvalidOption) {
                                                {"--fit", "ei,rho-a", "--measured", "1,2", "--support", "clamped"},
                                                {"--fit", "torsion", "--measured", "1,2", "--support", "free"},
                                                {"--fit", "mass", "--measured", "1"},
-                                               {"--fit", "ei", "--ei", "3", "--measured", "1"},
+                                               {"--fit", "torsion", "--static", "10:0.5:0.002", "--measured", "14"},
                                                {"--fit", "ei,torsion", "--measured", "1"},
                                                {"--fit", "ei"},
                                                {"--measured", "100"},

@@ -27,6 +27,14 @@ TEST(LocalFitWarnings, CountTheModesBeyondTheirLimit) {
   EXPECT_THAT(local_fit_warnings(modes).at(0).message, HasSubstr("180.0 Hz (20 times) and 3 more."));
 }
 
+TEST(NoModesWarnings, SayThatTheBandOrTheStartsHoldNoMode) {
+  EXPECT_TRUE(no_modes_warnings(misfitting_modes(1), {60, 3200}, false).empty());
+  const Warning in_band = no_modes_warnings({}, {60, 3200}, false).at(0);
+  EXPECT_EQ(in_band.code, "no_modes");
+  EXPECT_THAT(in_band.message, HasSubstr("from 60 to 3200 Hz"));
+  EXPECT_THAT(no_modes_warnings({}, {60, 3200}, true).at(0).message, HasSubstr("at the starting frequencies"));
+}
+
 TEST(UnmodelledPoleWarnings, CountThePolesBeyondTheirLimit) {
   std::vector<identify::Pole> poles;
   poles.reserve(12);

@@ -32,21 +32,21 @@ struct ModelBeamFlags {
 struct FitName {
   const char* name;
   model::BeamParameter which;
-  bool given;  // whether other options give its value
 };
 
 std::vector<model::BeamParameter> fitted_parameters(const ModelBeamFlags& flags) {
-  const BeamFlags& b = flags.beam;
-  const std::vector<FitName> names{
-      {"ei", model::BeamParameter::stiffness, b.stiffness_Nm2.has_value() || !b.layers.empty()},
-      {"torsion", model::BeamParameter::torsion, b.torsion_Nmprad.has_value() || !flags.readings.empty()},
-      {"rho-a", model::BeamParameter::mass_per_length, b.mass_per_length_kgpm.has_value()}};
+  const std::vector<FitName> names{{"ei", model::BeamParameter::stiffness},
+                                   {"torsion", model::BeamParameter::torsion},
+                                   {"rho-a", model::BeamParameter::mass_per_length}};
   std::vector<model::BeamParameter> fitted;
   for (const std::string& name : flags.fit.names) {
     const auto found = std::find_if(names.begin(), names.end(), [&](const FitName& one) { return name == one.name; });
     if (found == names.end())
       throw OptionError::wrong_value("fit", name, "fit ei, torsion or rho-a", "it needs a profile", {"profile"});
-    if (found->given) throw OptionError::wrong_value("fit", name, "omit one", "its value is given as well");
+    if (found->which == model::BeamParameter::torsion && !flags.readings.empty()) {
+      throw OptionError::wrong_value("fit", name, "omit one", "the static readings determine the spring as well",
+                                     {"static"});
+    }
     if (std::find(fitted.begin(), fitted.end(), found->which) != fitted.end())
       throw OptionError::wrong_value("fit", name, "name each parameter once", "it is named twice");
     fitted.push_back(found->which);
@@ -54,12 +54,16 @@ std::vector<model::BeamParameter> fitted_parameters(const ModelBeamFlags& flags)
   return fitted;
 }
 
+bool fits_torsion(const std::vector<model::BeamParameter>& fitted) {
+  return std::find(fitted.begin(), fitted.end(), model::BeamParameter::torsion) != fitted.end();
+}
+
 // Rejects parameters that frequencies do not determine. measured_modes() rejects a fit without parameters, and one with
 // more parameters than frequencies.
 void check_fit(const ModelBeamFlags& flags, model::BeamSupport support,
                const std::vector<model::BeamParameter>& fitted) {
   const bool spring = support == model::BeamSupport::torsion;
-  if (!spring && std::find(fitted.begin(), fitted.end(), model::BeamParameter::torsion) != fitted.end()) {
+  if (!spring && fits_torsion(fitted)) {
     throw OptionError::wrong_value("fit", "torsion", "fit ei or rho-a",
                                    "the support is " + flags.beam.support + ", without a spring", {"support"});
   }
@@ -132,11 +136,14 @@ int model_beam(const ModelBeamFlags& flags) {
   const std::vector<model::BeamParameter> fitted = fitted_parameters(flags);
   if (!flags.readings.empty()) {
     if (std::find(fitted.begin(), fitted.end(), model::BeamParameter::stiffness) != fitted.end())
-      throw OptionError({"static"}, "needs EI, which is to be fitted", "fit rho-a, or give EI", {"ei"});
+      throw OptionError({"static"}, "needs EI, which is to be fitted", "fit rho-a, with EI given", {"ei"});
     origin.torsion = static_torsion(flags, beam);
     beam.torsion_Nmprad = origin.torsion->torsion_Nmprad;
   }
   if (flags.fit.any()) {
+    // Without a stiffness the spring is a pin, whose first mode is a rigid-body mode.
+    if (beam.support == model::BeamSupport::torsion && beam.torsion_Nmprad == 0 && !fits_torsion(fitted))
+      beam.support = model::BeamSupport::pinned;
     check_fit(flags, beam.support, fitted);
     origin.measured = measured_frequencies(flags, beam.support);
     origin.fit = model::fit_beam(beam, fitted, origin.measured);

@@ -1,0 +1,47 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "acquire/record/record.hpp"
+#include "identify/shapes/mode_shapes.hpp"
+#include "pipeline/warnings/warning.hpp"
+
+namespace percuss::pipeline {
+
+/// A driving point as a user states it: by a number that the user sees, or by the name of the point's file.
+struct StatedDrivingPoint {
+  std::string file{};  // path, name, or name without extension; empty: `point` counts
+  int point = 0;
+  std::size_t channel = 0;
+};
+
+/// What a user's number of a point can mean.
+struct PointNumbering {
+  std::set<int> points;              // numbers in the record and in the results
+  std::vector<std::string> files{};  // of the points 0, 1, …; empty where the files state the numbers of their points
+  bool geometry_from_one = false;    // the geometry's numbers are above the record's by one
+};
+
+/// The paths of the files where percuss numbered the points: each file is one point, 0, 1, … in the order of the
+/// files. Empty for other records, and where files have no names of their own.
+std::vector<std::string> files_of_points(const acquire::Record& record, const std::set<int>& points);
+
+/// The numbers in names that differ in one whole number only: 1, 2, 10 for P1.csv, P2.csv, P10.csv. Nothing for other
+/// names, and for numbers above 10⁸.
+std::optional<std::vector<int>> numbers_in_names(const std::vector<std::string>& names);
+
+struct DrivingPoints {
+  std::vector<identify::DrivingPoint> points;  // in numbers of the record
+  std::vector<Warning> warnings;               // driving_point_numbers: a number has several meanings
+};
+
+/// Finds the points that the user means. Where files are points, a number is that of the file's name, else that of a
+/// geometry that counts from 1. Otherwise, and where these lack one of the numbers, it is the record's.
+/// errors  InputError: a number or a file of no point.
+DrivingPoints driving_points_of(const std::vector<StatedDrivingPoint>& stated, const PointNumbering& numbering,
+                                const std::string& source);
+
+}  // namespace percuss::pipeline
