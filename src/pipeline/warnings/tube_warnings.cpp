@@ -85,6 +85,29 @@ std::vector<Warning> midway_hit(const std::vector<ClearRatio>& ratios) {
   return {};
 }
 
+// Sensors at right angles move against each other in every hoop mode, whatever the direction of the hits. A bending
+// mode moves them alike where its plane lies halfway between them, but then all bending modes do (midway_hit).
+std::vector<Warning> reversed_sensor(const acquire::Record& record, const std::vector<ClearRatio>& ratios,
+                                     const identify::SensorPair& sensors) {
+  std::vector<ClearRatio> alike;
+  std::size_t opposite = 0;
+  for (const ClearRatio& one : ratios) {
+    if (std::abs(one.angle.chi_rad - std::numbers::pi / 4) < kMidway_rad) alike.push_back(one);
+    if (std::abs(one.angle.chi_rad + std::numbers::pi / 4) < kMidway_rad) ++opposite;
+  }
+  if (different_modes(alike) < 2 || opposite > 0 || alike.size() == ratios.size()) return {};
+  return {with_remedy(
+      {"reversed",
+       fmt::format("{} and {} move alike by the same amount in {} modes. Hoop modes of a tube move sensors at right "
+                   "angles against each other: is one of the sensors reversed? Mode types and the plane of bending "
+                   "are wrong then",
+                   one_line(record.accel[sensors.first].name, kMaxNameBytes),
+                   one_line(record.accel[sensors.second].name, kMaxNameBytes), alike.size()),
+       {"setup", "accel_scale"}},
+      R"(check which way the sensors point, and state "sign": -1 for the reversed one in the set-up, or a negative )"
+      "scale")};
+}
+
 std::vector<Warning> mixed_units(const acquire::Record& record, const std::vector<ClearRatio>& ratios,
                                  const identify::SensorPair& sensors) {
   for (const double factor : {kStandardGravity_mps2, 10.0}) {
@@ -172,6 +195,7 @@ std::vector<Warning> tube_warnings(const acquire::Record& record, const std::vec
   std::vector<Warning> out;
   const auto add = [&](std::vector<Warning> more) { out.insert(out.end(), more.begin(), more.end()); };
   if (right_angle) add(midway_hit(ratios));
+  if (right_angle) add(reversed_sensor(record, ratios, *sensors));
   if (right_angle) add(mixed_units(record, ratios, *sensors));
   if (out.empty()) add(contradicted_angles(ratios, *sensors, options));
   if (complete && out.empty()) add(missing_order(modes, classifications));

@@ -65,6 +65,17 @@ TEST(TubeWarnings, NameHitsHalfwayBetweenTheSensors) {
       IsEmpty());
 }
 
+TEST(TubeWarnings, AskForAReversedSensorWhereHoopModesMoveBothAlike) {
+  std::vector<Found> reversed = kBat;
+  for (Found& one : reversed) one.ratio *= -1;
+  const std::vector<Warning> warnings = warnings_of(reversed);
+  EXPECT_THAT(warnings, ElementsAre(Field(&Warning::code, "reversed")));
+  EXPECT_THAT(warnings.front().message, HasSubstr(" in 2 modes"));
+  // One mode alone may be a bending mode in another plane.
+  reversed.pop_back();
+  EXPECT_THAT(warnings_of(reversed), IsEmpty());
+}
+
 TEST(TubeWarnings, NameAUnitThatHoopModesContradict) {
   std::vector<Found> second = kBat, first = kBat;
   for (Found& one : second) one.ratio *= 9.81;
