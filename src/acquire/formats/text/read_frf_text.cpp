@@ -326,9 +326,7 @@ std::optional<StoredFrfs> read_frf_text(const FileBytes& bytes, bool forced) {
   read_statements(bytes.view().substr(0, layout.header.data_start), out);
   const double to_Hz = require_Hz_per_unit(layout.header.columns.front().unit, file + ": header");
   const CsvTable table(bytes, std::move(layout));
-  auto freq_Hz = read_column(table, 0);
-  std::for_each(freq_Hz.begin(), freq_Hz.end(), [&](double& f) { f *= to_Hz; });
-  out.record.lines = lines_from_frequencies(freq_Hz, file);
+  out.set_lines(frequency_lines(read_column(table, 0), to_Hz, file));
   for (const FrfColumns& c : columns) {
     out.frfs.push_back({.point = *c.point,
                         .channel = *c.channel,

@@ -98,6 +98,13 @@ TEST(ReadFrfText, ConvertsTheFrequencies) {
               HasSubstr("the unit of the frequencies, order, is not known"));
 }
 
+// As many programs export a spacing of 0.78125 Hz. The last frequency by its number is 0.7812506 Hz.
+TEST(ReadFrfText, FindsTheSpacingOfRoundedFrequencies) {
+  std::string text = "Frequency (Hz),Re,Im\n";
+  for (int k = 0; k < 2048; ++k) text += fmt::format("{:.2f},{},1\n", 0.78125 * k, k);
+  EXPECT_EQ(read(text).record.lines.df_Hz(), 0.78125);
+}
+
 TEST(ReadFrfText, TakesTheColumnBeforeAPhaseForItsMagnitude) {
   const auto frfs = read("Hz,H1,phase,Coherence\n0,1,0,1\n1,10,90,1\n2,100,-180,0.5\n");
   ASSERT_EQ(frfs.frfs.size(), 1U);
