@@ -165,7 +165,7 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
   if (phase_rises(record.frfs)) {
     record.notes.emplace_back(
         "the phase rises through the resonances: the FRFs may be for exp(−jωt), but percuss needs exp(+jωt); if so, "
-        "give their complex conjugates");
+        "reverse the sign of their imaginary part (or of their phase) in the program that exported them");
   }
   if (force.axis && record.motions.empty() && !record.sensor_roves) {
     for (const PointFrf& one : record.frfs)
