@@ -71,7 +71,7 @@ enum class FrfKind { accelerance, mobility, receptance };
 struct ReadOptions {
   std::optional<double> fs_Hz{};
   std::string fs_variable{};                        // the variable of a MAT file that holds the rate
-  std::optional<double> df_Hz{};                    // spacing of the lines of FRFs, for files that do not state it
+  std::optional<double> df_Hz{};                    // spacing of FRFs, for files that lack it or round it
   std::string force_channel{};                      // name of the column, or number, counted from 1
   std::vector<std::string> accel_channel{};         // likewise, in the order wanted
   std::string force_unit{};                         // of the stored forces: "lbf", "V"

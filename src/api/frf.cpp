@@ -126,7 +126,7 @@ FrfSet frfs_from_arrays(const FrfArrays& arrays) {
   stored.record.format = "arrays";
   stored.record.kind = api::frf_kind(arrays.kind);
   stored.kind = stored.record.kind;
-  stored.record.lines = acquire::lines_from_frequencies(arrays.freq_Hz, api::kFrfArrays);
+  stored.set_lines(acquire::frequency_lines(arrays.freq_Hz, 1, api::kFrfArrays));
   for (std::size_t c = 0; c < channels; ++c) stored.record.accel.push_back(api::signal_of(arrays, c));
   for (Frf& frf : frfs) {
     api::require_shape(frf, arrays.freq_Hz.size());

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "support/files/synthetic_files.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
@@ -60,6 +61,22 @@ TEST(OptionUnits, HoldForTheBand) {
   EXPECT_FALSE(modes.empty());
   EXPECT_EQ(band("60Hz:1kHz"), modes);
   EXPECT_EQ(band("60:1 kHz"), modes);
+}
+
+TEST(OptionUnits, HoldForFrequencies) {
+  const test::ScratchFolder folder;
+  const test::SmallRecord small = test::small_record();
+  test::write_columns(folder.file("n.csv"), "force (N),acc (m/s^2)", {small.force_N, small.accel_mps2});
+  const auto rate_Hz = [&](const std::string& fs) {
+    return document_of({"info", folder.file("n.csv"), "--fs", fs})["files"][0]["fs_hz"].get<double>();
+  };
+  EXPECT_EQ(rate_Hz("10.24kHz"), 10240);
+  EXPECT_EQ(rate_Hz("1.001 KHZ"), 1001) << "1.001 times 1000 is 1000.9999999999999 in doubles";
+  EXPECT_EQ(rate_Hz("0.1MHz"), 100000);
+  EXPECT_EQ(rate_Hz("10240hz"), 10240);
+  for (const char* const other : {"10mHz", "10m", "10s"}) {
+    EXPECT_NE(run_percuss({"info", folder.file("n.csv"), "--fs", other}).code, 0) << other;
+  }
 }
 
 TEST(OptionUnits, HoldForSensitivities) {

@@ -202,6 +202,19 @@ TEST_F(Hdf5Hostile, RejectsLinksToOtherFiles) {
   EXPECT_THAT(rejection_of(cycle, "force"), HasSubstr("leads nowhere"));
 }
 
+// A named path may lead through a group that is a link to another file.
+TEST_F(Hdf5Hostile, RejectsPathsThroughOtherFiles) {
+  const std::string other = folder_.file("other.h5"), path = folder_.file("hop.h5");
+  Hdf5Builder(other).ramp("force", {2, 9});
+  {
+    Hdf5Builder file(path);
+    H5Lcreate_external(other.c_str(), "/", file.id(), "hop", H5P_DEFAULT, H5P_DEFAULT);
+    file.numbers("", "fs", {1000}).ramp("accel", {2, 1, 9});
+  }
+  EXPECT_THAT(input_error_of([&] { acquire::open_hdf5(path, {.force_channel = "hop/force"}); }),
+              HasSubstr("no data set /hop/force among: accel, hop ("));
+}
+
 TEST_F(Hdf5Hostile, RejectsStorageInOtherFilesAndUnknownFilters) {
   const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
   const auto refusal = [&](Shape shape = {2, 9}) {

@@ -37,7 +37,7 @@ std::vector<std::string> cells_of(const std::string& line) {
 
 TEST(FrfCsv, NamesKindUnitAndColumns) {
   const auto lines = lines_of(frf_csv(analysis_of(2, 2), acquire::FrfKind::mobility));
-  EXPECT_EQ(lines.at(0), "# mobility (m/s)/N, H1, exp(+jwt), angle_deg 0 90");
+  EXPECT_EQ(lines.at(0), "# mobility (m/s)/N, H1, exp(+jwt), angle_deg 0 90, averages 2");
   const auto names = cells_of(lines.at(1));
   ASSERT_EQ(names.size(), 1U + 4U * 4U);
   EXPECT_EQ(names[0], "frequency_hz");

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "cli/hit_list.hpp"
+#include "cli/option_units.hpp"
 #include "cli/option_error.hpp"
 #include "core/error.hpp"
-#include "core/io/csv_header.hpp"
 #include "core/io/parse_number.hpp"
 #include "pipeline/hits/hit_grading.hpp"
 
@@ -24,13 +24,7 @@ std::optional<double> number(std::string_view text) {
 }
 
 // "3200", "3200Hz" or "3.2kHz" in Hz.
-std::optional<double> frequency_Hz(std::string_view text) {
-  const auto ends_with = [&](std::string_view unit) { return lower_case(text).ends_with(unit); };
-  const double to_Hz = ends_with("khz") ? 1000 : 1;
-  const std::size_t unit = ends_with("khz") ? 3 : ends_with("hz") ? 2 : 0;
-  const auto value = number(text.substr(0, text.size() - unit));
-  return value ? std::optional(*value * to_Hz) : std::nullopt;
-}
+std::optional<double> frequency_Hz(std::string_view text) { return number(in_option_unit(std::string(text), "HZ")); }
 
 std::vector<double> without_duplicates(std::vector<double> values) {
   std::sort(values.begin(), values.end());

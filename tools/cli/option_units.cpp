@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/io/csv_text.hpp"
 #include "core/io/parse_number.hpp"
 #include "core/units.hpp"
 
@@ -17,6 +18,7 @@ enum class Dimension {
   mass,
   speed,
   acceleration,
+  frequency,
   inertia,
   volts_per_force,
   volts_per_accel,
@@ -29,7 +31,7 @@ struct UnitOfValue {
   double si;
 };
 constexpr double kFoot_m = 12 * kInch_m;
-constexpr std::array<UnitOfValue, 33> kUnits{{{"m", Dimension::length, 1},
+constexpr std::array<UnitOfValue, 36> kUnits{{{"m", Dimension::length, 1},
                                               {"cm", Dimension::length, 0.01},
                                               {"mm", Dimension::length, 0.001},
                                               {"in", Dimension::length, kInch_m},
@@ -46,6 +48,9 @@ constexpr std::array<UnitOfValue, 33> kUnits{{{"m", Dimension::length, 1},
                                               {"m/s2", Dimension::acceleration, 1},
                                               {"in/s2", Dimension::acceleration, kInch_m},
                                               {"ft/s2", Dimension::acceleration, kFoot_m},
+                                              {"Hz", Dimension::frequency, 1},
+                                              {"kHz", Dimension::frequency, 1e3},
+                                              {"MHz", Dimension::frequency, 1e6},
                                               {"kgm2", Dimension::inertia, 1},
                                               {"ozin2", Dimension::inertia, kOunce_kg* kInch_m* kInch_m},
                                               {"mV/N", Dimension::volts_per_force, 1e-3},
@@ -66,7 +71,7 @@ constexpr std::array<UnitOfValue, 33> kUnits{{{"m", Dimension::length, 1},
 struct Placeholder {
   std::string_view shown, unit;
 };
-constexpr std::array<Placeholder, 13> kPlaceholders{{{"M", "m"},
+constexpr std::array<Placeholder, 14> kPlaceholders{{{"M", "m"},
                                                      {"IN", "in"},
                                                      {"KG", "kg"},
                                                      {"OZ", "oz"},
@@ -74,13 +79,21 @@ constexpr std::array<Placeholder, 13> kPlaceholders{{{"M", "m"},
                                                      {"M/S", "m/s"},
                                                      {"MPH", "mph"},
                                                      {"IN/S2", "in/s2"},
+                                                     {"HZ", "Hz"},
                                                      {"KG*M2", "kgm2"},
                                                      {"OZIN2", "ozin2"},
                                                      {"mV/N", "mV/N"},
                                                      {"mV/g", "mV/g"},
                                                      {"mV/Pa", "mV/Pa"}}};
 
-const UnitOfValue* unit_named(std::string_view name) {
+// Hz and kHz in any case; a prefix m or M keeps its meaning.
+std::string_view usual_case(std::string_view name) {
+  const std::string lower = lower_case(name);
+  return lower == "hz" ? "Hz" : lower == "khz" ? "kHz" : name;
+}
+
+const UnitOfValue* unit_named(std::string_view written) {
+  const std::string_view name = usual_case(written);
   const auto* const at =
       std::find_if(kUnits.begin(), kUnits.end(), [&](const UnitOfValue& u) { return u.name == name; });
   return at == kUnits.end() ? nullptr : at;
@@ -117,7 +130,9 @@ std::string in_option_unit(const std::string& text, std::string_view placeholder
   const bool converts = wanted != nullptr && given != nullptr && given->dimension == wanted->dimension;
   if (!converts || number.problem != NumberProblem::none) return text;
   if (given == wanted) return std::string(parts.number);
-  return fmt::format("{}", number.value * given->si / wanted->si);
+  const double value = number.value * given->si / wanted->si;
+  // Frequencies are round numbers: 1.001 kHz is 1001 Hz, but the product of the doubles is not.
+  return given->dimension == Dimension::frequency ? fmt::format("{:.15g}", value) : fmt::format("{}", value);
 }
 
 }  // namespace percuss::tools

@@ -72,7 +72,7 @@ void add_reading_options(Command& command, ReadFlags& flags) {
           "Set the sampling rate in place of the file's: a number, or for a MAT file the name of a variable")
       .type("HZ");
   command
-      .value("--df", options.df_Hz, "Set the frequency spacing of FRFs, for files that do not state frequencies (MAT)")
+      .value("--df", options.df_Hz, "Set the frequency spacing of FRFs, for files that round frequencies or state none (MAT)")
       .above_zero()
       .type("HZ");
   command.value("--force-channel", options.force_channel, "Select the force by column name or number, counted from 1")

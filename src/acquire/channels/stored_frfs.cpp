@@ -28,6 +28,21 @@ void refuse_inapplicable_options(const ReadOptions& options, const std::string& 
   }
 }
 
+// Takes the spacing that the user states, within the limits of the file's frequencies.
+void apply_spacing(const StoredFrfs& stored, const std::optional<double>& df_Hz, const std::string& where,
+                   FrfRecord& record) {
+  if (!df_Hz && !stored.spacing_note.empty())
+    record.notes.emplace_back(stored.spacing_note, std::vector<OptionId>{"df"});
+  if (!df_Hz || !stored.spacing) return;
+  if (!(*df_Hz >= stored.spacing->lowest_Hz && *df_Hz <= stored.spacing->highest_Hz)) {
+    throw InputError(
+        fmt::format("a spacing of {:.10g} Hz contradicts the frequencies of the file, which are {:.10g} Hz apart",
+                    *df_Hz, record.lines.df_Hz()),
+        where, "leave it out", {"df"});
+  }
+  record.lines.fs_Hz = *df_Hz * static_cast<double>(record.lines.samples);
+}
+
 // SI units of the response (m/s², m/s or m) per stored unit.
 double response_factor(const SignalOverrides& choice, const StoredFrfs& stored, FrfKind kind,
                        const std::string& where) {
@@ -109,10 +124,17 @@ bool phase_rises(const std::vector<PointFrf>& frfs) {
 
 }  // namespace
 
+void StoredFrfs::set_lines(FrequencyLines frequencies) {
+  record.lines = frequencies.lines;
+  spacing = frequencies.spacing;
+  spacing_note = std::move(frequencies.note);
+}
+
 FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
   FrfRecord record = std::move(stored.record);
   const std::string where = input_name(record.source());
   refuse_inapplicable_options(options.read, where);
+  apply_spacing(stored, options.read.df_Hz, where, record);
   record.kind = frf_kind_of(stored, options, record.notes);
   const auto channels = chosen_channels(options.read, record.accel.size(), where);
   const SignalOverrides force = force_overrides(options.read, force_setup(options.read));
@@ -143,7 +165,7 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
   if (phase_rises(record.frfs)) {
     record.notes.emplace_back(
         "the phase rises through the resonances: the FRFs may be for exp(−jωt), but percuss needs exp(+jωt); if so, "
-        "give their complex conjugates");
+        "reverse the sign of their imaginary part (or of their phase) in the program that exported them");
   }
   if (force.axis && record.motions.empty() && !record.sensor_roves) {
     for (const PointFrf& one : record.frfs)

@@ -1,9 +1,11 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "acquire/channels/frf_unit.hpp"
+#include "acquire/record/frequency_lines.hpp"
 #include "acquire/record/frf_record.hpp"
 
 namespace percuss::acquire {
@@ -21,12 +23,18 @@ struct StoredFrf {
 struct StoredFrfs {
   FrfRecord record;  // files, format, lines, notes, decay; accel by name with angle and position where stated
   std::vector<StoredFrf> frfs;
-  std::optional<FrfUnit> unit;  // as the file states it; includes the kind
-  std::optional<FrfKind> kind;  // as the file states it; not used where `unit` is stated
+  std::optional<FrfUnit> unit;           // as the file states it; includes the kind
+  std::optional<FrfKind> kind;           // as the file states it; not used where `unit` is stated
+  std::optional<SpacingLimits> spacing;  // where the file states frequencies
+  std::string spacing_note;              // about these frequencies; not used where the user states the spacing
+
+  /// Takes the lines of the file's frequencies, their limits and the note.
+  void set_lines(FrequencyLines frequencies);
 };
 
-/// Applies unit, kind, channel choice, signs, scales, angles and positions: stored numbers become accelerances.
-/// errors  InputError: options without a meaning for FRFs, channels that do not exist, implausibly large numbers.
+/// Applies spacing, unit, kind, channel choice, signs, scales, angles and positions: stored numbers become
+/// accelerances. errors  InputError: options without a meaning for FRFs, a spacing that contradicts the frequencies,
+/// channels that do not exist, implausibly large numbers.
 FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options);
 
 }  // namespace percuss::acquire

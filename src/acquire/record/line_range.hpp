@@ -7,7 +7,8 @@
 
 namespace percuss::acquire {
 
-/// How far the frequency of an FRF's line may be from a multiple of the spacing, relative to the spacing: files round.
+/// How far the frequency of an FRF's line may be from a multiple of the spacing, relative to the spacing, where its
+/// digits do not state its rounding.
 inline constexpr double kMaxLineOffset = 0.05;
 /// The largest number of lines of an FRF from 0 Hz on, present or not.
 inline constexpr std::size_t kMaxFrfLines = std::size_t{1} << 28U;
@@ -28,9 +29,8 @@ struct LineRange {
   }
 };
 
-/// The lines of evenly spaced frequencies that are multiples of their spacing. Frequencies may be rounded
-/// (kMaxLineOffset).
-/// errors  InputError at `where`: fewer than two, uneven, falling, negative.
+/// The lines of frequency_lines() for frequencies in Hz.
+/// errors  As frequency_lines().
 LineRange lines_from_frequencies(const std::vector<double>& freq_Hz, const std::string& where);
 
 }  // namespace percuss::acquire

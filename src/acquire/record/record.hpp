@@ -118,8 +118,8 @@ struct ChannelSetup {
 struct ReadOptions {
   std::optional<double> fs_Hz;
   std::string fs_variable;                  // the variable that holds the rate, in formats with named variables (MAT)
-  std::optional<double> df_Hz;              // spacing of the FRFs' lines, where the file does not state it
-  std::string force_channel;                // name or 1-based number of the column
+  std::optional<double> df_Hz;              // spacing of the FRFs' lines, where the file lacks or rounds it
+  std::string force_channel;                // name or 1-based number of the column, or path of a data set
   std::vector<std::string> accel_channels;  // likewise, in the order wanted
   std::vector<double> force_scale;          // N per stored unit; one for all files or one per file
   std::vector<double> accel_scale;          // m/s² per stored unit; one for all or one per channel

@@ -92,6 +92,44 @@ bool is_exact(const TimeStamps& row, const Deviation& deviation) {
   return deviation.stamp_s <= 0.01 * row.resolution_s;
 }
 
+// Whether evenly spaced times explain every stamp within half a unit of its last digit. The range of the residuals is a
+// convex function of the step.
+bool has_even_times(const TimeStamps& row) {
+  constexpr int kSections = 60;  // each leaves two thirds of the interval
+  constexpr double kArithmetic = 1e-6;
+  const auto t = row.time_s;
+  const auto range_s = [&](double step_s) {
+    double least_s = 0, most_s = 0;
+    for (std::size_t i = 1; i < t.size(); ++i) {
+      const double residual_s = t[i] - t.front() - static_cast<double>(i) * step_s;
+      least_s = std::min(least_s, residual_s);
+      most_s = std::max(most_s, residual_s);
+    }
+    return most_s - least_s;
+  };
+  const double reach_s = row.resolution_s / static_cast<double>(t.size() - 1);
+  double low_s = mean_step_s(t) - reach_s, high_s = mean_step_s(t) + reach_s;
+  for (int i = 0; i < kSections; ++i) {
+    const double third_s = (high_s - low_s) / 3;
+    const bool lower = range_s(low_s + third_s) < range_s(high_s - third_s);
+    (lower ? high_s : low_s) += lower ? -third_s : third_s;
+  }
+  return range_s((low_s + high_s) / 2) <= (1 + kArithmetic) * row.resolution_s;
+}
+
+// Whether the stamps repeat, and never fall, as they do where the rate is slightly above one sample per unit. A few
+// repeated stamps may be repeated lines.
+bool repeats_regularly(const TimeStamps& row) {
+  constexpr std::size_t kMinRepeated = 5;
+  std::size_t repeated = 0;
+  for (std::size_t i = 1; i < row.time_s.size(); ++i) {
+    const double step_s = row.time_s[i] - row.time_s[i - 1];
+    if (step_s < -0.5 * row.resolution_s) return false;
+    if (step_s < 0.5 * row.resolution_s) ++repeated;
+  }
+  return repeated >= kMinRepeated && has_even_times(row);
+}
+
 // Whether rounding explains the uneven steps.
 bool is_even(const TimeStamps& row, const Deviation& deviation) {
   constexpr double kSinglePrecision = 0x1p-23;
@@ -101,7 +139,7 @@ bool is_even(const TimeStamps& row, const Deviation& deviation) {
   if (is_exact(row, deviation)) return true;
   // Steps of one unit with a few steps of two units are probably lost samples, not a rate slightly below one sample per
   // unit.
-  if (std::abs(step_s / row.resolution_s - 1) < 0.25) return false;
+  if (std::abs(step_s / row.resolution_s - 1) < 0.25) return step_s < row.resolution_s && repeats_regularly(row);
   // Stamps may carry the rounding of single precision, but never as much as a lost sample.
   const double largest_s = std::max(std::abs(t.front()), std::abs(t.back()));
   const double tolerance_s = 1.001 * row.resolution_s + std::min(kSinglePrecision * largest_s, 0.4 * step_s);

@@ -42,6 +42,29 @@ TEST(StoredFrfs, TurnsEveryKindIntoAnAccelerance) {
   EXPECT_EQ(line(receptance, 0, 0), Complex(0, 0));
 }
 
+// 0.333, 0.667 and 1.0: between 0.333 and 0.3335 Hz apart.
+TEST(StoredFrfs, TakesAStatedSpacingWithinTheRoundingOfTheFrequencies) {
+  StoredFrfs frfs = stored();
+  frfs.set_lines(frequency_lines({0.333, 0.667, 1}, 1, "x.csv"));
+  const auto spacing_Hz = [&](double df_Hz) { return to_accelerances(frfs, {.read = {.df_Hz = df_Hz}}).lines.df_Hz(); };
+  for (const double df_Hz : {0.33335, 1.0 / 3}) EXPECT_NEAR(spacing_Hz(df_Hz), df_Hz, kRounding);
+  for (const double df_Hz : {0.334, 0.332, 0.6666, -1.0, std::nan("")}) {
+    EXPECT_THAT(test::input_error_of([&] { spacing_Hz(df_Hz); }), HasSubstr("contradicts the frequencies of the file"));
+    EXPECT_THAT(test::options_of_error([&] { spacing_Hz(df_Hz); }), testing::ElementsAre("df"));
+  }
+}
+
+TEST(StoredFrfs, NotesRoundedFrequenciesUnlessTheUserStatesTheSpacing) {
+  StoredFrfs frfs = stored();
+  FrequencyLines lines = frequency_lines({0, 1, 2}, 1, "x.csv");
+  lines.note = "rounded";
+  frfs.set_lines(lines);
+  const FrfRecord noted = to_accelerances(frfs, {});
+  EXPECT_THAT(test::texts(noted.notes), testing::ElementsAre("rounded"));
+  EXPECT_THAT(noted.notes.at(0).options, testing::ElementsAre("df"));
+  EXPECT_THAT(to_accelerances(frfs, {.read = {.df_Hz = 1}}).notes, IsEmpty());
+}
+
 // Accelerance of one mode: its phase falls by π for exp(+jωt).
 TEST(StoredFrfs, RecognisesFrfsForTheOppositeTimeDependence) {
   StoredFrfs frfs = stored();
@@ -56,7 +79,9 @@ TEST(StoredFrfs, RecognisesFrfsForTheOppositeTimeDependence) {
   for (StoredFrf& frf : frfs.frfs) {
     for (Complex& h : frf.value) h = std::conj(h);
   }
-  EXPECT_THAT(test::texts(to_accelerances(frfs, {}).notes), testing::ElementsAre(HasSubstr("for exp(−jωt)")));
+  EXPECT_THAT(test::texts(to_accelerances(frfs, {}).notes),
+              testing::ElementsAre(testing::AllOf(HasSubstr("for exp(−jωt)"),
+                                                  HasSubstr("sign of their imaginary part (or of their phase)"))));
 }
 
 TEST(StoredFrfs, AppliesTheFilesUnitUnlessTheUserNamesOne) {

@@ -57,6 +57,36 @@ TEST(RateOfTimeStamps, IsExactForAnyRoundingOfTheStamps) {
   }
 }
 
+// Every 43rd stamp or so repeats the one before it.
+TEST(RateOfTimeStamps, AcceptsRepeatedStampsOfARateAboveOneSamplePerUnit) {
+  for (const double fs_Hz : {10240.0, 12800.0, 10100.0}) {
+    const auto rate = rate_of(rounded_stamps(fs_Hz, 20000, 1e-4), 1e-4);
+    ASSERT_TRUE(rate) << fs_Hz;
+    EXPECT_EQ(rate->fs_Hz, fs_Hz);
+  }
+}
+
+TEST(RateOfTimeStamps, RejectsRepeatedStampsThatRoundingDoesNotExplain) {
+  std::string problem;
+  for (const std::size_t repeated : {1, 8}) {
+    auto t = rounded_stamps(1e4, 20000, 1e-4);
+    for (std::size_t i = 0; i < repeated; ++i) {
+      const auto at = t.begin() + static_cast<std::ptrdiff_t>(100 + 41 * i * i);
+      t.insert(at, *at);
+    }
+    EXPECT_FALSE(rate_of(t, 1e-4, &problem)) << repeated;
+    EXPECT_THAT(problem, HasSubstr("does not rise"));
+  }
+  for (const std::size_t lost : {1, 777, 19998}) {
+    auto t = rounded_stamps(10240, 20000, 1e-4);
+    t.erase(t.begin() + static_cast<std::ptrdiff_t>(lost));
+    EXPECT_FALSE(rate_of(t, 1e-4, &problem)) << lost;
+  }
+  auto falling = rounded_stamps(10240, 20000, 1e-4);
+  std::swap(falling[500], falling[501]);
+  EXPECT_FALSE(rate_of(falling, 1e-4, &problem));
+}
+
 TEST(RateOfTimeStamps, NeedsFewStampsWhereTheyAreExact) {
   EXPECT_EQ(rate_of({0, 1e-3}, 1e-3)->fs_Hz, 1000);
   EXPECT_EQ(rate_of({0.5, 0.75, 1}, 0.01)->fs_Hz, 4);

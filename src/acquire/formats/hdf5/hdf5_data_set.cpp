@@ -21,28 +21,23 @@ constexpr std::uint64_t kMaxCountedChunks = 200'000;  // more are not counted: c
 constexpr int kMaxDimensions = 3;
 const char* const kWriteAnew = "copy the file again or write it anew";
 
-herr_t refuse_other_file(const char* /*file*/, const char* /*group*/, const char* /*target_file*/,
-                         const char* /*target*/, unsigned* /*flags*/, hid_t /*access*/, void* /*data*/) {
-  return -1;
-}
-
 // The object that `name` leads to within this file; invalid when there is none.
 Handle open_object(hid_t file, const std::string& name) {
-  const Handle access(H5Pcreate(H5P_LINK_ACCESS));
-  H5Pset_elink_cb(access.get(), refuse_other_file, nullptr);
+  const Handle access = access_within_file();
   return Handle(H5Oopen(file, name.c_str(), access.get()));
 }
 
 Handle open_set(hid_t file, const std::string& name, std::size_t cache_bytes) {
   const Handle access(H5Pcreate(H5P_DATASET_ACCESS));
-  H5Pset_elink_cb(access.get(), refuse_other_file, nullptr);
+  refuse_other_files(access.get());
   H5Pset_chunk_cache(access.get(), H5D_CHUNK_CACHE_NSLOTS_DEFAULT, cache_bytes, H5D_CHUNK_CACHE_W0_DEFAULT);
   return Handle(H5Dopen2(file, name.c_str(), access.get()));
 }
 
 bool is_link_to_other_file(hid_t file, const std::string& name) {
+  const Handle access = access_within_file();
   H5L_info_t info{};
-  return H5Lget_info(file, name.c_str(), &info, H5P_DEFAULT) >= 0 && info.type == H5L_TYPE_EXTERNAL;
+  return H5Lget_info(file, name.c_str(), &info, access.get()) >= 0 && info.type == H5L_TYPE_EXTERNAL;
 }
 
 bool is_plain_number(hid_t type) {

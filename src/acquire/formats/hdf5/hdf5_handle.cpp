@@ -21,6 +21,11 @@ std::mutex& library_mutex() {
 // in a forked child.
 thread_local int depth = 0;
 
+herr_t refuse_link(const char* /*file*/, const char* /*group*/, const char* /*target_file*/, const char* /*target*/,
+                   unsigned* /*flags*/, hid_t /*access*/, void* /*data*/) {
+  return -1;
+}
+
 }  // namespace
 
 ExclusiveAccess::ExclusiveAccess() {
@@ -62,5 +67,13 @@ bool Handle::close() {
 }
 
 Id Handle::release() { return std::exchange(id_, H5I_INVALID_HID); }
+
+void refuse_other_files(Id access) { H5Pset_elink_cb(access, refuse_link, nullptr); }
+
+Handle access_within_file() {
+  Handle access(H5Pcreate(H5P_LINK_ACCESS));
+  refuse_other_files(access.get());
+  return access;
+}
 
 }  // namespace percuss::acquire::hdf5

@@ -49,4 +49,9 @@ class Handle {
   Id id_;
 };
 
+/// Makes a property list of access refuse links to other files.
+void refuse_other_files(Id access);
+/// Access to links within one file.
+Handle access_within_file();
+
 }  // namespace percuss::acquire::hdf5

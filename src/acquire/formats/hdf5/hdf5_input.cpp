@@ -47,6 +47,25 @@ herr_t append_name(hid_t /*group*/, const char* name, const H5L_info_t* /*info*/
   return 0;
 }
 
+struct DataPaths {
+  hid_t file;
+  std::size_t limit;
+  std::vector<std::string> paths;
+  std::size_t visited = 0;
+};
+
+herr_t append_data_path(hid_t /*group*/, const char* path, const H5L_info_t* info, void* data) {
+  constexpr std::size_t kMaxVisited = 10'000;
+  auto& found = *static_cast<DataPaths*>(data);
+  if (found.paths.size() >= found.limit || ++found.visited > kMaxVisited) return 1;
+  if (info->type == H5L_TYPE_HARD) {
+    const Handle object(H5Oopen(found.file, path, H5P_DEFAULT));
+    if (H5Iget_type(object.get()) == H5I_GROUP) return 0;
+  }
+  found.paths.emplace_back(path);
+  return 0;
+}
+
 }  // namespace
 
 InputHdf5::InputHdf5(std::string path) : path_(std::move(path)), bytes_(size_of(path_)) {
@@ -56,7 +75,21 @@ InputHdf5::InputHdf5(std::string path) : path_(std::move(path)), bytes_(size_of(
   if (!file_) throw InputError("truncated or damaged HDF5 file", path_, "copy or record it again");
 }
 
-bool InputHdf5::has(const std::string& name) const { return H5Lexists(id(), name.c_str(), H5P_DEFAULT) > 0; }
+bool InputHdf5::has(const std::string& name) const {
+  const Handle access = access_within_file();
+  // Every group of a path must exist before the library is asked for its member.
+  for (std::size_t slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1)) {
+    const std::string group = name.substr(0, slash);
+    if (group.empty() || H5Lexists(id(), group.c_str(), access.get()) <= 0) return false;
+  }
+  return !name.empty() && H5Lexists(id(), name.c_str(), access.get()) > 0;
+}
+
+std::vector<std::string> InputHdf5::data_paths(std::size_t limit) const {
+  DataPaths found{.file = id(), .limit = limit, .paths = {}};
+  H5Lvisit(id(), H5_INDEX_NAME, H5_ITER_INC, append_data_path, &found);
+  return found.paths;
+}
 
 std::vector<std::string> InputHdf5::names(std::size_t limit) const {
   std::vector<std::string> names;

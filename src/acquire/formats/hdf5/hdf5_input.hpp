@@ -23,10 +23,13 @@ class InputHdf5 {
   std::uint64_t bytes() const { return bytes_; }
   Id id() const { return file_.get(); }
 
-  /// Whether the root group has a link of this name.
+  /// Whether the root group has a link of this name, or this path without links to other files.
   bool has(const std::string& name) const;
   /// Names in the root group, in order, at most `limit` of them.
   std::vector<std::string> names(std::size_t limit) const;
+  /// Paths of the links to other objects than groups, without the first slash, at most `limit` of them. Enters groups
+  /// by hard links only, and stops after 10 000 links.
+  std::vector<std::string> data_paths(std::size_t limit) const;
   /// "path: /name", the place in a message.
   std::string where(const std::string& name) const { return path_ + ": /" + name; }
 
@@ -40,9 +43,9 @@ class InputHdf5 {
 /// i (as h5py writes them), re and im, or real and imag.
 enum class Elements { real, complex };
 
-/// A numeric data set of the root group, checked to lie within its file before any sample is read.
-/// errors  InputError: links to other files, groups, other types than integers and IEEE floats, sizes that the file
-/// cannot hold, compression other than gzip.
+/// A numeric data set, by its name in the root group or its path, checked to lie within its file before any sample is
+/// read. errors  InputError: links to other files, groups, other types than integers and IEEE floats, sizes that the
+/// file cannot hold, compression other than gzip.
 class InputDataSet {
  public:
   InputDataSet(const InputHdf5& file, const std::string& name, Elements elements = Elements::real);
@@ -51,6 +54,8 @@ class InputDataSet {
   const std::vector<std::size_t>& shape() const { return shape_; }
   std::size_t elements() const { return elements_; }
   Id id() const { return set_.get(); }
+  /// "path: /name", the place in a message.
+  const std::string& where() const { return where_; }
 
   /// The place of the numbers in the file, when they are contiguous in C order and little-endian IEEE floats.
   struct ContiguousStorage {

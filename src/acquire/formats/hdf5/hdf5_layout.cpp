@@ -22,11 +22,11 @@ void check_force_shape(const std::vector<std::size_t>& shape, const std::string&
   }
 }
 
-void check_accel_shape(const InputDataSet& accel, const InputHdf5& file) {
+void check_accel_shape(const InputDataSet& accel) {
   const auto& a = accel.shape();
-  if (a.empty()) throw InputError("one number", file.where("accel"), "store [hits, channels, samples]");
+  if (a.empty()) throw InputError("one number", accel.where(), "store [hits, channels, samples]");
   if (accel.elements() == 0)
-    throw InputError("empty: shape " + shape_text(a), file.where("accel"), "store [hits, channels, samples]");
+    throw InputError("empty: shape " + shape_text(a), accel.where(), "store [hits, channels, samples]");
 }
 
 }  // namespace
@@ -37,8 +37,8 @@ std::string shape_text(std::span<const std::size_t> shape) {
   return text.empty() ? "of one number" : text + "]";
 }
 
-Layout layout_of(const InputDataSet& accel, const InputHdf5& file) {
-  check_accel_shape(accel, file);
+Layout layout_of(const InputDataSet& accel) {
+  check_accel_shape(accel);
   const auto& a = accel.shape();
   return {.rows = a.size() == 3 ? a[0] : 1,
           .channels = a.size() == 1 ? 1 : a[a.size() - 2],
@@ -49,8 +49,8 @@ Layout layout_of(const InputDataSet& accel, const InputHdf5& file) {
 
 Layout layout_of(const InputDataSet& force, const InputDataSet& accel, const InputHdf5& file) {
   const auto &f = force.shape(), &a = accel.shape();
-  check_force_shape(f, file.where("force"));
-  check_accel_shape(accel, file);
+  check_force_shape(f, force.where());
+  check_accel_shape(accel);
   Layout layout{.rows = f.size() == 2 ? f[0] : 1, .samples = f.back(), .force_has_rows = f.size() == 2};
   // Two dimensions are [hits, samples] if the force has as many hits, else [channels, samples].
   layout.accel_has_rows = a.size() == 3 || (a.size() == 2 && layout.force_has_rows && a[0] == layout.rows);

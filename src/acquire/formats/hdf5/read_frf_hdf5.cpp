@@ -126,7 +126,7 @@ std::optional<StoredFrfs> read_frf_hdf5(const std::string& path) {
     throw InputError("not one frequency per line", file.where("frequency_hz"), kRemedy);
   const auto freq_Hz = frequencies.read_all();
   require_finite(freq_Hz, file.where("frequency_hz"));
-  out.record.lines = lines_from_frequencies(freq_Hz, file.where("frequency_hz"));
+  out.set_lines(frequency_lines(freq_Hz, 1, file.where("frequency_hz")));
   read_sensors(file, set, shape.channels, out.record);
   const auto points = points_of(file, shape.points);
   const Companion std(file, "frf_std", set);

@@ -19,6 +19,7 @@
 #include "acquire/record/sample_limits.hpp"
 #include "acquire/record/sampling_rate.hpp"
 #include "core/error.hpp"
+#include "core/io/parse_number.hpp"
 #include "core/units.hpp"
 
 namespace percuss::acquire {
@@ -32,9 +33,15 @@ constexpr std::size_t kNamesShown = 12, kNameBytesShown = 40;
 constexpr std::array kKnownNames{"force",       "accel",       "point",    "run",   "geometry",
                                  "trace_lines", "trace_faces", "rejected", "faults"};
 
+// The data sets of a record, as paths without the first slash.
+struct SetNames {
+  std::string force = "force", accel = "accel";
+};
+
 // The data shared by the read functions of a record.
 struct OpenRecord {
   InputHdf5 file;
+  SetNames names;
   std::optional<InputDataSet> force;
   InputDataSet accel;
   hdf5::Layout layout;
@@ -51,8 +58,37 @@ std::string list(const std::vector<std::string>& names) {
 
 InputDataSet open_required(const InputHdf5& file, const std::string& name) {
   if (file.has(name)) return {file, name};
-  throw InputError("no data set /" + name + " among: " + list(file.names(kNamesShown)), file.path(),
-                   "store force [hits, samples] and accel [hits, channels, samples]");
+  throw InputError("no data set /" + one_line(name, kNameBytesShown) + " among: " + list(file.data_paths(kNamesShown)),
+                   file.path(),
+                   "store force [hits, samples] and accel [hits, channels, samples], or name the data sets",
+                   {"force_channel", "accel_channel"});
+}
+
+std::string without_slash(const std::string& name) { return name.starts_with('/') ? name.substr(1) : name; }
+
+// "accel", "accel 2", "2": channels of the accelerations, whose names are numbers.
+bool is_channel_name(std::string name) {
+  if (name.starts_with("accel")) name.erase(0, 5);
+  if (name.starts_with(' ')) name.erase(0, 1);
+  return std::all_of(name.begin(), name.end(), is_digit);
+}
+
+// Takes the names of data sets out of the options: the rest applies to the channels of these sets.
+SetNames take_set_names(const InputHdf5& file, ReadOptions& options) {
+  SetNames names;
+  if (!without_slash(options.force_channel).empty()) names.force = without_slash(options.force_channel);
+  options.force_channel.clear();
+  const auto& accel = options.accel_channels;
+  const bool sets = std::any_of(accel.begin(), accel.end(),
+                                [](const std::string& name) { return !is_channel_name(without_slash(name)); });
+  if (!sets) return names;
+  if (accel.size() > 1) {
+    throw InputError("several data sets named for the accelerations", file.path(),
+                     "name one that holds [hits, channels, samples]", {"accel_channel"});
+  }
+  names.accel = without_slash(accel.front());
+  options.accel_channels.clear();
+  return names;
 }
 
 double read_rate_Hz(const OpenRecord& open, const ReadOptions& options, std::vector<Message>& notes) {
@@ -66,8 +102,8 @@ double read_rate_Hz(const OpenRecord& open, const ReadOptions& options, std::vec
     return checked_rate_Hz(*options.fs_Hz, "the rate stated");
   }
   std::vector<std::pair<hdf5::Id, std::string>> places{{file.id(), file.path() + ": attribute fs"},
-                                                       {open.accel.id(), file.where("accel attribute fs")}};
-  if (open.force) places.insert(places.begin() + 1, {open.force->id(), file.where("force attribute fs")});
+                                                       {open.accel.id(), open.accel.where() + " attribute fs"}};
+  if (open.force) places.insert(places.begin() + 1, {open.force->id(), open.force->where() + " attribute fs"});
   std::optional<double> found_Hz;
   for (const auto& [object, where] : places) {
     const auto values = hdf5::number_attribute(object, "fs", where, 1);
@@ -87,7 +123,7 @@ double read_rate_Hz(const OpenRecord& open, const ReadOptions& options, std::vec
 // An attribute of /accel with one number per channel; NaN: not known.
 std::vector<std::optional<double>> per_channel(const OpenRecord& open, const std::string& name) {
   std::vector<std::optional<double>> out(open.layout.channels);
-  const std::string where = open.file.where("accel");
+  const std::string where = open.accel.where();
   const auto values = hdf5::number_attribute(open.accel.id(), name, where, kMaxChannels);
   if (!values) return out;
   if (values->size() != out.size()) {
@@ -108,13 +144,13 @@ void describe_signals(OpenRecord& open, const ReadOptions& options, Record& reco
   record.has_force = open.force.has_value();
   if (open.force) {
     record.force.name = "force";
-    record.force.unit = hdf5::text_attribute(open.force->id(), "unit_str", file.where("force")).value_or("");
-    apply_force_overrides(record.force, force_overrides(options, force_setup(options)), file.where("force"),
+    record.force.unit = hdf5::text_attribute(open.force->id(), "unit_str", open.force->where()).value_or("");
+    apply_force_overrides(record.force, force_overrides(options, force_setup(options)), open.force->where(),
                           record.notes);
     open.force_to_N = record.force.to_SI;
   }
 
-  const std::string unit = hdf5::text_attribute(open.accel.id(), "unit_str", file.where("accel")).value_or("");
+  const std::string unit = hdf5::text_attribute(open.accel.id(), "unit_str", open.accel.where()).value_or("");
   const auto angle_deg = per_channel(open, "angle_deg"), position_m = per_channel(open, "position_m");
   open.channels = chosen_channels(options, open.layout.channels, file.path());
   for (std::size_t i = 0; i < open.channels.size(); ++i) {
@@ -124,7 +160,7 @@ void describe_signals(OpenRecord& open, const ReadOptions& options, Record& reco
     const ChannelSetup* const setup = accel_setup(options, c, open.layout.channels);
     const SignalOverrides choice = accel_overrides(options, setup, i, open.channels.size(), file.path());
     apply_overrides(signal, choice, response_quantity(signal, choice, record.has_force),
-                    file.where("accel") + ", " + signal.name);
+                    open.accel.where() + ", " + signal.name);
     open.to_mps2.push_back(signal.to_SI);
     record.accel.push_back(std::move(signal));
   }
@@ -145,10 +181,17 @@ void describe_rows(const OpenRecord& open, Record& record) {
       continuous ? continuous->front() != 0 : !(open.force ? open.layout.force_has_rows : open.layout.accel_has_rows);
 }
 
-void note_unused(const InputHdf5& file, Record& record) {
+void note_unused(const InputHdf5& file, const SetNames& used, Record& record) {
+  // A group counts as used where it holds a set that is.
+  const auto holds = [](const std::string& path, const std::string& name) {
+    return path == name || path.starts_with(name + "/");
+  };
   std::vector<std::string> unused;
   for (const std::string& name : file.names(kNamesShown)) {
-    if (std::find(kKnownNames.begin(), kKnownNames.end(), name) == kKnownNames.end()) unused.push_back("/" + name);
+    const bool signal = name == "force" || name == "accel";
+    const bool known = !signal && std::find(kKnownNames.begin(), kKnownNames.end(), name) != kKnownNames.end();
+    const bool read = (record.has_force && holds(used.force, name)) || holds(used.accel, name);
+    if (!known && !read) unused.push_back("/" + name);
   }
   if (!unused.empty()) record.notes.emplace_back("not used: " + list(unused));
 }
@@ -175,7 +218,7 @@ void read_force(const OpenRecord& open, std::size_t row, std::size_t first, std:
     const hdf5::Lock lock;
     open.force->read(index, first, out_N);
   }
-  to_SI(out_N, open.force_to_N, open.file.where("force"), index, first);
+  to_SI(out_N, open.force_to_N, open.force->where(), index, first);
 }
 
 void read_accel(const OpenRecord& open, std::size_t row, std::size_t channel, std::size_t first,
@@ -189,7 +232,7 @@ void read_accel(const OpenRecord& open, std::size_t row, std::size_t channel, st
     const hdf5::Lock lock;
     open.accel.read(index, first, out_mps2);
   }
-  to_SI(out_mps2, open.to_mps2[channel], open.file.where("accel"), index, first);
+  to_SI(out_mps2, open.to_mps2[channel], open.accel.where(), index, first);
 }
 
 // Nothing when a signal is not contiguous in the file.
@@ -212,21 +255,24 @@ std::vector<ContiguousSignal> contiguous_signals(const OpenRecord& open) {
   return out;
 }
 
-std::unique_ptr<OpenRecord> open_sets(const std::string& path, bool force_optional) {
+std::unique_ptr<OpenRecord> open_sets(const std::string& path, ReadOptions& options) {
   InputHdf5 file(path);
+  const SetNames names = take_set_names(file, options);
   std::optional<InputDataSet> force;
-  if (!force_optional || file.has("force")) force = open_required(file, "force");
-  InputDataSet accel = open_required(file, "accel");
-  const hdf5::Layout layout = force ? hdf5::layout_of(*force, accel, file) : hdf5::layout_of(accel, file);
-  return std::make_unique<OpenRecord>(
-      OpenRecord{.file = std::move(file), .force = std::move(force), .accel = std::move(accel), .layout = layout});
+  const bool named = names.force != SetNames{}.force;
+  if (!options.force_optional || named || file.has(names.force)) force = open_required(file, names.force);
+  InputDataSet accel = open_required(file, names.accel);
+  const hdf5::Layout layout = force ? hdf5::layout_of(*force, accel, file) : hdf5::layout_of(accel);
+  return std::make_unique<OpenRecord>(OpenRecord{
+      .file = std::move(file), .names = names, .force = std::move(force), .accel = std::move(accel), .layout = layout});
 }
 
 }  // namespace
 
-Record open_hdf5(const std::string& path, const ReadOptions& options) {
+Record open_hdf5(const std::string& path, const ReadOptions& stated) {
   const hdf5::Lock lock;
-  auto opened = open_sets(path, options.force_optional);
+  ReadOptions options = stated;
+  auto opened = open_sets(path, options);
   Record record;
   record.files.push_back(
       {.path = path, .bytes = opened->file.bytes(), .date = hdf5::date_attribute(opened->file.id())});
@@ -237,7 +283,7 @@ Record open_hdf5(const std::string& path, const ReadOptions& options) {
   record.geometry = hdf5::read_geometry(opened->file);
   record.trace_lines = hdf5::read_trace_lines(opened->file, record.geometry.size());
   record.trace_faces = hdf5::read_trace_faces(opened->file, record.geometry.size());
-  note_unused(opened->file, record);
+  note_unused(opened->file, opened->names, record);
   record.contiguous = contiguous_signals(*opened);
   // Closing the data sets uses the library, so the deleter needs a lock.
   const std::shared_ptr<const OpenRecord> open(opened.release(), [](const OpenRecord* last) {

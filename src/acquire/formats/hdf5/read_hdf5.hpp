@@ -15,7 +15,7 @@ bool is_hdf5(const std::string& path);
 /// Opens a record in percuss's own HDF5 layout (docs/reference/formats.md) and describes it. Samples are read by
 /// hyperslab, on request. The file stays open during the lifetime of the record and its copies.
 /// shapes  /force [hits, samples] or [samples]; /accel [hits, channels, samples], or fewer dimensions for one hit or
-/// one channel.
+/// one channel. options.force_channel and options.accel_channels may name other data sets by their paths.
 /// units   as the attribute unit_str states (absent: N and m/s²). The set-up overrides the file, and explicit options
 /// override the set-up.
 /// errors  InputError with file and data set: missing, damaged or contradictory parts. The read functions throw it for

@@ -87,14 +87,15 @@ std::string unit_in_name(const std::string& field) {
 }
 
 struct Frequencies {
-  std::vector<double> freq_Hz;  // empty if the file has no vector of them
-  std::string note;             // of an assumed unit; may be empty
+  std::vector<double> numbers;  // empty if the file has no vector of them
+  double to_Hz = 1;
+  std::string note;  // of an assumed unit; may be empty
 };
 
 Frequencies frequencies_in(const MatFile& file) {
   const MatVariable* const vector = frequency_vector(file);
   if (vector == nullptr) return {};
-  Frequencies out{.freq_Hz = vector->real, .note = {}};
+  Frequencies out{.numbers = vector->real, .note = {}};
   std::string unit = unit_in(file, vector->name);
   const std::string field(field_name(vector->name)), lower = lower_case(field);
   if (unit.empty() && (lower == "omega" || lower == "w")) {
@@ -102,14 +103,12 @@ Frequencies frequencies_in(const MatFile& file) {
     out.note = one_line(vector->name, 40) + " is taken as the frequencies in rad/s";
   }
   if (unit.empty()) unit = unit_in_name(field);
-  const double to_Hz = require_Hz_per_unit(unit, file.path + ": " + one_line(vector->name, 40));
-  std::for_each(out.freq_Hz.begin(), out.freq_Hz.end(), [&](double& f) { f *= to_Hz; });
+  out.to_Hz = require_Hz_per_unit(unit, file.path + ": " + one_line(vector->name, 40));
   return out;
 }
 
-LineRange lines_in(const MatFile& file, const FrfReadOptions& options, std::size_t lines,
-                   const std::vector<double>& freq_Hz) {
-  if (!options.read.df_Hz && freq_Hz.size() == lines) return lines_from_frequencies(freq_Hz, file.path);
+// The lines of a file without a frequency for each of them.
+LineRange lines_without_frequencies(const MatFile& file, const FrfReadOptions& options, std::size_t lines) {
   auto df_Hz = options.read.df_Hz;
   if (!df_Hz) df_Hz = mat_number(file, {"df", "dfhz", "deltaf", "freqspacing", "frequencyresolution"});
   const auto fs_Hz = mat_rate_Hz(file, options.read);
@@ -237,12 +236,12 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
   const auto candidates = named != nullptr ? std::vector{named} : frf_candidates(file);
   if (candidates.empty() || (force_named && !options.kind)) return std::nullopt;
   const Frequencies frequencies = frequencies_in(file);
-  const std::vector<double>& freq_Hz = frequencies.freq_Hz;
+  const std::size_t stated_lines = frequencies.numbers.size();
   const bool is_named_frf = is_frf_name(candidates.front()->name);
-  const std::size_t lines = frf_layout(*candidates.front(), freq_Hz.size()).lines;
+  const std::size_t lines = frf_layout(*candidates.front(), stated_lines).lines;
   if (named == nullptr && !is_named_frf && !options.kind && may_hold_record(file, lines)) return std::nullopt;
   const MatVariable& frf = chosen_frf(file, candidates);
-  const MatFrfLayout layout = frf_layout(frf, freq_Hz.size());
+  const MatFrfLayout layout = frf_layout(frf, stated_lines);
   if (layout.lines < 2 || layout.points * layout.channels > kMaxMatFrfs) {
     throw InputError("too few lines or too many FRFs: " + shape_name(frf.shape), file.path,
                      fmt::format("store at least 2 lines, and at most {} FRFs in a file", kMaxMatFrfs));
@@ -251,7 +250,11 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
   out.record.files.push_back({.path = file.path, .bytes = file.bytes});
   out.record.format = "FRF MAT";
   out.record.notes = file.notes;
-  out.record.lines = lines_in(file, options, layout.lines, freq_Hz);
+  if (stated_lines == layout.lines) {
+    out.set_lines(frequency_lines(frequencies.numbers, frequencies.to_Hz, file.path));
+  } else {
+    out.record.lines = lines_without_frequencies(file, options, layout.lines);
+  }
   out.record.decay_per_s = std::max(0.0, mat_number(file, {"decaypers"}).value_or(0));
   if (!frequencies.note.empty()) out.record.notes.emplace_back(frequencies.note);
   describe_mat_channels(file, layout.channels, out);

@@ -167,9 +167,19 @@ std::string without_dB(std::string word) {
   return word.substr(at + 2);
 }
 
-// Reads unit, kind, estimator, window and the sensors' angles from the cells before the data.
-void read_statements(std::string_view header, StoredFrfs& out) {
+// The stated averages of each FRF: one number for all, or one for each. Other counts of numbers state nothing.
+void set_averages(const std::vector<double>& averages, StoredFrfs& out) {
+  if (averages.size() != 1 && averages.size() != out.frfs.size()) return;
+  for (std::size_t i = 0; i < out.frfs.size(); ++i)
+    out.frfs[i].averages = static_cast<std::size_t>(averages[averages.size() == 1 ? 0 : i]);
+}
+
+// Reads unit, kind, estimator, window and the sensors' angles from the cells before the data. Returns the numbers of
+// averages.
+std::vector<double> read_statements(std::string_view header, StoredFrfs& out) {
   std::string previous;
+  bool by_percuss = false;
+  std::vector<double> averages;
   std::vector<double> angle_deg;
   while (!header.empty()) {
     const auto end = std::min(header.find_first_of("\t\r\n,;# "), header.size());
@@ -182,7 +192,10 @@ void read_statements(std::string_view header, StoredFrfs& out) {
     const ParsedNumber number = parse_number(word, false);
     const bool is_number = number.problem == NumberProblem::none;
     if (is_number && previous == "decay_per_s" && number.value >= 0) out.record.decay_per_s = number.value;
-    if (is_number && previous == "angle_deg") {
+    by_percuss = by_percuss || word == "exp(+jwt)";
+    if (is_number && by_percuss && previous == "averages") {
+      averages.push_back(number.value >= 0 && number.value <= kMaxAverages ? number.value : 0);
+    } else if (is_number && previous == "angle_deg") {
       angle_deg.push_back(number.value);
     } else {
       previous = lower_case(word);
@@ -190,6 +203,7 @@ void read_statements(std::string_view header, StoredFrfs& out) {
   }
   for (std::size_t c = 0; c < std::min(angle_deg.size(), out.record.accel.size()); ++c)
     out.record.accel[c].angle_rad = angle_deg[c] * kDegree_rad;
+  return averages;
 }
 
 std::vector<double> read_column(const CsvTable& table, std::size_t index) {
@@ -323,12 +337,10 @@ std::optional<StoredFrfs> read_frf_text(const FileBytes& bytes, bool forced) {
   std::size_t channels = 0;
   for (const FrfColumns& c : columns) channels = std::max(channels, *c.channel + 1);
   for (std::size_t c = 0; c < channels; ++c) out.record.accel.push_back({.name = channel_name(c)});
-  read_statements(bytes.view().substr(0, layout.header.data_start), out);
+  const std::vector<double> averages = read_statements(bytes.view().substr(0, layout.header.data_start), out);
   const double to_Hz = require_Hz_per_unit(layout.header.columns.front().unit, file + ": header");
   const CsvTable table(bytes, std::move(layout));
-  auto freq_Hz = read_column(table, 0);
-  std::for_each(freq_Hz.begin(), freq_Hz.end(), [&](double& f) { f *= to_Hz; });
-  out.record.lines = lines_from_frequencies(freq_Hz, file);
+  out.set_lines(frequency_lines(read_column(table, 0), to_Hz, file));
   for (const FrfColumns& c : columns) {
     out.frfs.push_back({.point = *c.point,
                         .channel = *c.channel,
@@ -336,6 +348,7 @@ std::optional<StoredFrfs> read_frf_text(const FileBytes& bytes, bool forced) {
                         .std = read_optional(table, c.std),
                         .coherence = read_optional(table, c.coherence)});
   }
+  set_averages(averages, out);
   return out;
 }
 

@@ -42,8 +42,6 @@ Measurement open_text_file(const FormatInput& input, const FrfReadOptions& optio
 
 std::vector<std::string> frf_csv_losses(const FrfRecord& record) {
   std::vector<std::string> losses;
-  if (std::any_of(record.frfs.begin(), record.frfs.end(), [](const PointFrf& one) { return one.frf.averages > 0; }))
-    losses.emplace_back("the numbers of averages");
   if (std::any_of(record.accel.begin(), record.accel.end(), [](const SignalInfo& one) { return one.position_m; }))
     losses.emplace_back("the sensors' positions");
   return losses;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 #include "acquire/formats/text/write_frf_csv.hpp"
 #include "core/units.hpp"
@@ -9,7 +10,19 @@
 namespace percuss::acquire {
 namespace {
 
-// The sensors' angles and the decay of the window, for the first line: ", angle_deg 0 90, decay_per_s 4.6".
+// The numbers of averages: ", averages 5" where all FRFs have the same, else one for each.
+std::string averages_text(const FrfRecord& record) {
+  const auto& frfs = record.frfs;
+  if (std::all_of(frfs.begin(), frfs.end(), [](const PointFrf& one) { return one.frf.averages == 0; })) return {};
+  const bool same = std::all_of(frfs.begin(), frfs.end(),
+                                [&](const PointFrf& one) { return one.frf.averages == frfs.front().frf.averages; });
+  std::string out = ", averages";
+  for (const PointFrf& one : std::span(frfs).first(same ? 1 : frfs.size())) out += fmt::format(" {}", one.frf.averages);
+  return out;
+}
+
+// The sensors' angles, the decay of the window and the averages, for the first line: ", angle_deg 0 90, decay_per_s
+// 4.6, averages 5".
 std::string statements(const FrfRecord& record) {
   std::string out;
   const auto& accel = record.accel;
@@ -19,7 +32,7 @@ std::string statements(const FrfRecord& record) {
     if (angles) out += fmt::format(" {:.10g}", *signal.angle_rad * kRadian_deg);
   }
   if (record.decay_per_s > 0) out += fmt::format(", decay_per_s {}", record.decay_per_s);
-  return out;
+  return out + averages_text(record);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "acquire/formats/uff/uff_directions.hpp"
 #include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
+#include "core/io/parse_number.hpp"
 #include "core/units.hpp"
 
 namespace percuss::acquire {
@@ -107,13 +108,14 @@ FrfUnit unit_of_function(const UffFunction& f, const UffContents& contents, bool
   return out;
 }
 
-LineRange lines_of_function(const UffFunction& f, const std::string& where, std::string& note) {
+FrequencyLines lines_of_function(const UffFunction& f, const std::string& where) {
   const double to_Hz = Hz_per_unit(f.abscissa.unit).value_or(1);
-  std::vector<double> freq_Hz(f.count);
+  std::vector<double> numbers(f.count);
   if (!f.even) {
-    for (std::size_t k = 0; k < f.count; ++k) freq_Hz[k] = f.x(k) * to_Hz;
-    return lines_from_frequencies(freq_Hz, where);
+    for (std::size_t k = 0; k < f.count; ++k) numbers[k] = f.x(k);
+    return frequency_lines(numbers, to_Hz, where);
   }
+  std::string note;
   const double step = uff_step(f, true, to_Hz, note);
   const double first = std::round(f.x0 / step);
   const bool fits = step > 0 && first >= 0 && std::abs(f.x0 / step - first) <= kMaxLineOffset;
@@ -121,8 +123,13 @@ LineRange lines_of_function(const UffFunction& f, const std::string& where, std:
     throw InputError(fmt::format("{} lines from {} Hz in steps of {} Hz", f.count, f.x0 * to_Hz, f.dx * to_Hz), where,
                      "export lines that are multiples of their spacing");
   }
-  for (std::size_t k = 0; k < f.count; ++k) freq_Hz[k] = (first + static_cast<double>(k)) * step * to_Hz;
-  return lines_from_frequencies(freq_Hz, where);
+  for (std::size_t k = 0; k < f.count; ++k) numbers[k] = (first + static_cast<double>(k)) * step * to_Hz;
+  FrequencyLines out = frequency_lines(numbers, 1, where);
+  const double half_unit = 0.5 * std::pow(10.0, -decimals_of(f.dx_text, false));
+  out.spacing.lowest_Hz = std::min(out.spacing.lowest_Hz, (f.dx - half_unit) * to_Hz);
+  out.spacing.highest_Hz = std::max(out.spacing.highest_Hz, (f.dx + half_unit) * to_Hz);
+  out.note = std::move(note);
+  return out;
 }
 
 bool have_same_lines(const UffFunction& a, const UffFunction& b) {
@@ -212,9 +219,7 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
   out.record.files.push_back({.path = file.path, .bytes = file.size});
   out.record.format = "FRF UFF";
   out.record.notes = uff_notes(contents);
-  std::string note;
-  out.record.lines = lines_of_function(first, uff_location(file, first.at), note);
-  if (!note.empty()) out.record.notes.emplace_back(note);
+  out.set_lines(lines_of_function(first, uff_location(file, first.at)));
   bool known = false;
   const FrfUnit unit = unit_of_function(first, contents, known);
   if (known) out.unit = unit;

@@ -63,6 +63,15 @@ TEST(ReadFrfHdf5, ReadsTheDocumentedLayout) {
   EXPECT_NEAR(*frfs->record.accel.at(1).angle_rad, std::numbers::pi / 2, 1e-15);  // degrees in the file
 }
 
+TEST(ReadFrfHdf5, ChecksAStatedSpacing) {
+  const test::ScratchFolder folder;
+  const auto lines = [&](double df_Hz) {
+    return to_accelerances(*read_frf_hdf5(written(folder, {})), {.read = {.df_Hz = df_Hz}}).lines;
+  };
+  EXPECT_EQ(lines(0.5).df_Hz(), 0.5);
+  EXPECT_THAT(test::input_error_of([&] { lines(0.25); }), HasSubstr("contradicts the frequencies"));
+}
+
 TEST(ReadFrfHdf5, IgnoresTimeRecords) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("record.h5");

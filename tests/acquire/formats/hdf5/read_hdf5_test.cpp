@@ -203,6 +203,29 @@ TEST_F(Hdf5Read, OmitsChannelsThatTheSetupIgnores) {
   EXPECT_EQ(accel_mps2(record, 1, 0), ramp(18, 9));
 }
 
+TEST_F(Hdf5Read, ReadsDataSetsThatTheOptionsName) {
+  {
+    Hdf5Builder file(path_);
+    H5Gclose(H5Gcreate2(file.id(), "measurement", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    file.numbers("", "fs", {1000}).ramp("measurement/hammer", {2, 9}).ramp("measurement/acc", {2, 3, 9});
+    file.ramp("spare", {4});
+  }
+  const Record record =
+      open_hdf5(path_, {.force_channel = "/measurement/hammer", .accel_channels = {"measurement/acc"}});
+  EXPECT_EQ(force_N(record, 1), ramp(9, 9));
+  EXPECT_EQ(accel_mps2(record, 2, 1), ramp(45, 9));
+  EXPECT_THAT(test::texts(record.notes), testing::ElementsAre("not used: /spare"));
+  const auto message = [&](const ReadOptions& options) { return input_error_of([&] { open_hdf5(path_, options); }); };
+  EXPECT_THAT(message({}), HasSubstr("no data set /force among: measurement/acc, measurement/hammer, spare ("));
+  EXPECT_THAT(message({.force_channel = "measurement/none"}), HasSubstr("no data set /measurement/none among"));
+  EXPECT_THAT(message({.force_channel = "none/hammer"}), HasSubstr("no data set /none/hammer among"));
+  EXPECT_THAT(message({.force_channel = "measurement"}), HasSubstr("not a data set"));
+  EXPECT_THAT(message({.force_channel = "measurement/hammer", .accel_channels = {"measurement/acc", "spare"}}),
+              HasSubstr("several data sets named for the accelerations"));
+  EXPECT_THAT(test::options_of_error([&] { open_hdf5(path_, {}); }),
+              testing::ElementsAre("force_channel", "accel_channel"));
+}
+
 TEST_F(Hdf5Read, RefusesChannelsThatDoNotExist) {
   Hdf5Builder(path_).numbers("", "fs", {1000}).ramp("force", {2, 9}).ramp("accel", {2, 2, 9});
   const auto message = [&](const ReadOptions& options) { return input_error_of([&] { open_hdf5(path_, options); }); };

@@ -227,6 +227,8 @@ TEST_F(MatRecord, GivesFrfsWithTheirFrequencies) {
   EXPECT_EQ(record.lines.first, 1U);
   EXPECT_NEAR(record.lines.df_Hz(), 10, 1e-12);  // rounding, here and below
   EXPECT_EQ(record.frfs[1].frf.value[2], Complex(11, 12));
+  EXPECT_EQ(frfs({.read = {.df_Hz = 10}}).lines.first, 1U);
+  EXPECT_THAT(input_error_of([&] { frfs({.read = {.df_Hz = 0.5}}); }), HasSubstr("contradicts the frequencies"));
   MatBuilder(path_, MatLevel::v4).complex("MEscope1", {3, 2}, lines);
   EXPECT_THAT(input_error_of([&] { frfs(); }), HasSubstr("MEscope1 [3x2 complex]"));
   EXPECT_THAT(test::options_of_error([&] { frfs(); }), testing::ElementsAre("df"));

@@ -60,6 +60,20 @@ TEST(ReadFrfText, ReadsWhatPercussWrites) {
   EXPECT_EQ(frfs.record.lines.first, 30U);
 }
 
+TEST(ReadFrfText, ReadsTheAveragesThatPercussStates) {
+  const auto averages = [](const std::string& statement) {
+    const auto frfs = read("# accelerance (m/s^2)/N, " + statement +
+                           "\nfrequency_hz,p0_c0_re,p0_c0_im,p1_c0_re,p1_c0_im\n60,1,2,3,4\n62,5,6,7,8\n");
+    return std::vector{frfs.frfs.at(0).averages, frfs.frfs.at(1).averages};
+  };
+  using testing::ElementsAre;
+  EXPECT_THAT(averages("H1, exp(+jwt), averages 5"), ElementsAre(5, 5));
+  EXPECT_THAT(averages("exp(+jwt), angle_deg 0, averages 5 4"), ElementsAre(5, 4));
+  EXPECT_THAT(averages("exp(+jwt), averages 5 4 3"), ElementsAre(0, 0));
+  EXPECT_THAT(averages("exp(+jwt), averages -5 1e99"), ElementsAre(0, 0));
+  EXPECT_THAT(averages("averages 5"), ElementsAre(0, 0)) << "of another program, it may mean other averages";
+}
+
 std::string refusal(const std::string& text) {
   return test::input_error_of([&] { read_frf_text(test::csv_bytes(text), false); });
 }
@@ -96,6 +110,13 @@ TEST(ReadFrfText, ConvertsTheFrequencies) {
   EXPECT_NEAR(read("Frequency (rpm),Re,Im\n0,0,0\n60,1,0\n120,1,0\n").record.lines.df_Hz(), 1, 1e-9);
   EXPECT_THAT(refusal("Frequency (order),Re,Im\n0,0,0\n1,1,0\n2,1,0\n"),
               HasSubstr("the unit of the frequencies, order, is not known"));
+}
+
+// As many programs export a spacing of 0.78125 Hz. The last frequency by its number is 0.7812506 Hz.
+TEST(ReadFrfText, FindsTheSpacingOfRoundedFrequencies) {
+  std::string text = "Frequency (Hz),Re,Im\n";
+  for (int k = 0; k < 2048; ++k) text += fmt::format("{:.2f},{},1\n", 0.78125 * k, k);
+  EXPECT_EQ(read(text).record.lines.df_Hz(), 0.78125);
 }
 
 TEST(ReadFrfText, TakesTheColumnBeforeAPhaseForItsMagnitude) {

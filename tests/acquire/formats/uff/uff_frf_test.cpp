@@ -67,6 +67,12 @@ TEST(UffFrf, MakesPointsOfStruckNodesAndChannelsOfResponses) {
   EXPECT_EQ(record.kind, FrfKind::accelerance);
 }
 
+TEST(UffFrf, ChecksAStatedSpacing) {
+  const FrfReadOptions other{.read = {.df_Hz = 2.1}};
+  EXPECT_EQ(read(frf_text({}, 1), {.read = {.df_Hz = 2}}).lines.df_Hz(), 2);
+  EXPECT_THAT(input_error_of([&] { read(frf_text({}, 1), other); }), HasSubstr("contradicts the frequencies"));
+}
+
 // A driving point has response and reference at the same node, along the same line.
 TEST(UffFrf, NamesDrivingPoints) {
   std::string text;
