@@ -72,8 +72,11 @@ ChannelDelay refined(std::span<const ModePhase> phases, double start_s) {
   return out;
 }
 
-// Delays at which the phases agree best, and zero.
+// Delays at which the phases agree best, and zero. Phases that are all small need no other start.
 std::vector<double> starts_s(std::span<const ModePhase> phases) {
+  const std::vector<double> undelayed = phases_after(phases, 0);
+  if (std::all_of(undelayed.begin(), undelayed.end(), [](double phase) { return std::abs(phase) < kPhaseFloor; }))
+    return {0};
   double highest_Hz = 0;
   for (const ModePhase& p : phases) highest_Hz = std::max(highest_Hz, p.freq_Hz);
   const double step_s = 1 / (kSteps * highest_Hz);
