@@ -135,7 +135,7 @@ void Guide::collect_events() {
 }
 
 bool Guide::is_attempt(const LongPush& push) {
-  const double size_N = std::abs(push.peak_N), usual_N = typical(&Session::Blow::peak_N);
+  const double size_N = std::abs(push.peak_N), usual_N = typical(&SessionState::Blow::peak_N);
   const bool strong = size_N >= kStrongPush * (usual_N > 0 ? usual_N : std::abs(reported_push_.peak_N));
   const bool handling = reported_push_.peak > 0 && push.peak < reported_push_.peak + static_cast<std::uint64_t>(fs_Hz_);
   if (!strong || handling) return false;
@@ -246,7 +246,8 @@ void Guide::note_response(const BlowSamples& samples, const BlowGrade& grade) {
 
 bool Guide::may_advise_gain(const BlowGrade& grade) const {
   const auto& blows = session_.blows();
-  return blows.size() < kGainAdviceBlows && std::all_of(blows.begin(), blows.end(), [&](const Session::Blow& blow) {
+  return blows.size() < kGainAdviceBlows &&
+         std::all_of(blows.begin(), blows.end(), [&](const SessionState::Blow& blow) {
            return kMuchWeaker * std::abs(blow.peak_N) <= std::abs(grade.peak_N);
          });
 }

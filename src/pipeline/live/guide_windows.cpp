@@ -114,9 +114,9 @@ bool Guide::choose_length(Window& window, bool last) {
   return true;
 }
 
-double Guide::typical(double Session::Blow::*value) const {
+double Guide::typical(double SessionState::Blow::*value) const {
   std::vector<double> values;
-  for (const Session::Blow& blow : session_.blows()) {
+  for (const SessionState::Blow& blow : session_.blows()) {
     if (blow.accepted()) values.push_back(std::abs(blow.*value));
   }
   return values.size() < kMinTypical ? 0 : median(std::move(values));
@@ -126,7 +126,7 @@ double Guide::clipped_at_N() const {
   constexpr std::size_t kMinClipped = 2;  // blows
   constexpr double kSpread = 1.01;        // largest over smallest of one level
   std::vector<double> peaks_N;
-  for (const Session::Blow& blow : session_.blows()) {
+  for (const SessionState::Blow& blow : session_.blows()) {
     if (blow.mark == acquire::RowMark::force_overload) peaks_N.push_back(std::abs(blow.peak_N));
   }
   if (peaks_N.size() < kMinClipped) return 0;
@@ -166,8 +166,8 @@ BlowCircumstances Guide::circumstances(const Window& window) const {
                        .recording_ended = history_.end_frame() < end,
                        .struck_again = windows_.size() > 1 && windows_[1].event.first < end,
                        .during_previous = window.event.first < previous_end_,
-                       .typical_peak_N = typical(&Session::Blow::peak_N),
-                       .typical_bandwidth_Hz = typical(&Session::Blow::bandwidth_Hz),
+                       .typical_peak_N = typical(&SessionState::Blow::peak_N),
+                       .typical_bandwidth_Hz = typical(&SessionState::Blow::bandwidth_Hz),
                        .pretrigger = static_cast<std::size_t>(window.event.peak - window.first),
                        .rest = rest_,
                        .none_accepted = session_.accepted() == 0,
