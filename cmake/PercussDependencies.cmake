@@ -1,4 +1,5 @@
-# Finds the third-party libraries of the layers and the tool once, as imported targets; docs/project/decisions.md says why each is used.
+# Finds the third-party libraries of the layers and the tool once, as imported targets. docs/project/decisions.md says
+# why each is used.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(GSL 2.7 REQUIRED)
 find_package(TBB REQUIRED)

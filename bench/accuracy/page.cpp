@@ -97,9 +97,9 @@ reading the bytes of the file, and one bare FFTW transform per channel and hit.
   [theory.md](../theory/theory.md), (4.16).
 - **Time.** The processor time on one thread from an HDF5 file in the page cache to the result, so other work on the
   machine matters little. All methods and the baseline alternate in one run, in a changing order, and the best time of
-  each counts. The baseline is a hard limit: its transforms are planned by measurement, and use one buffer that stays in
-  the processor's cache. ([decisions.md](decisions.md), 30, compares with transforms of the records in memory, which
-  take longer.)
+  each counts. The baseline is a hard limit: its transforms are planned by measurement (up to 2^17 samples), and use one
+  buffer that stays in the processor's cache. ([decisions.md](decisions.md), 30, compares with transforms of the records
+  in memory, which take longer.)
 - **Pareto-optimal.** No other method in the same case is at least as accurate and as fast, and better in one of the
   two. Times within a tenth and errors within a hundredth count as equal. In the charts a line joins the Pareto-optimal
   methods.

@@ -91,7 +91,8 @@ struct Cost {
   std::size_t modes;
 };
 
-// Runs in its own process: once for the memory, then in alternation with the baseline.
+// Runs in its own process: once for the memory; then, if that took less than min_total_s, in alternation with the
+// baseline. Otherwise only the baseline runs again.
 Cost cost_of(const std::vector<std::string>& paths, const synth::SynthSpec& spec, const TimingOptions& timing) {
   Cost cost{};
   const auto analyse = [&] {

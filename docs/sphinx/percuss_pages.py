@@ -24,7 +24,7 @@ def _navigation(text):
 _SECTIONS = (
     "briefdescription detaileddescription define typedef enum innerclass func var innernamespace public-type "
     "public-func public-static-func public-attrib public-static-attrib friend related user-defined"
-)  # all but the private ones
+)  # without private and protected members
 
 
 def _cpp_reference(headers):

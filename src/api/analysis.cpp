@@ -71,10 +71,10 @@ std::vector<ModeClassification> classifications_of(const std::vector<identify::M
   return out;
 }
 
-std::vector<Warning> warnings_of(const std::vector<pipeline::Warning>& warnings) {
+std::vector<Warning> warnings_of(const std::vector<warnings::Warning>& warnings) {
   std::vector<Warning> out;
   out.reserve(warnings.size());
-  for (const pipeline::Warning& warning : warnings) {
+  for (const warnings::Warning& warning : warnings) {
     out.push_back({.code = warning.code,
                    .message = warning.message,
                    .options = warning.options,

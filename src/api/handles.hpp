@@ -56,11 +56,11 @@ pipeline::AnalysisOptions analysis_options(const AnalysisOptions& options);
 acquire::Record record_of_one_run(const Record& record);
 
 Channel channel_of(const acquire::SignalInfo& signal);
-Severity severity_of(acquire::Severity severity);
+Severity severity_of(warnings::Severity severity);
 std::vector<Hit> hits_of(const std::vector<pipeline::AnalysedHit>& hits);
 std::vector<Mode> modes_of(const std::vector<identify::Mode>& modes);
 std::vector<ModeClassification> classifications_of(const std::vector<identify::ModeClassification>& classifications);
-std::vector<Warning> warnings_of(const std::vector<pipeline::Warning>& warnings);
+std::vector<Warning> warnings_of(const std::vector<warnings::Warning>& warnings);
 
 /// Computes hits, modes and FRFs, and returns the survey. Its warnings are about the results computed so far.
 const pipeline::Survey& computed(const Survey& survey);

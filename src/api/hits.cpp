@@ -5,9 +5,9 @@
 namespace percuss {
 namespace api {
 
-Severity severity_of(acquire::Severity severity) {
-  if (severity == acquire::Severity::reject) return Severity::reject;
-  return severity == acquire::Severity::warn ? Severity::warn : Severity::info;
+Severity severity_of(warnings::Severity severity) {
+  if (severity == warnings::Severity::reject) return Severity::reject;
+  return severity == warnings::Severity::warn ? Severity::warn : Severity::info;
 }
 
 std::vector<Hit> hits_of(const std::vector<pipeline::AnalysedHit>& hits) {

@@ -8,11 +8,6 @@ namespace percuss {
 namespace api {
 namespace {
 
-Severity public_severity(metrics::MetricsSeverity severity) {
-  if (severity == metrics::MetricsSeverity::reject) return Severity::reject;
-  return severity == metrics::MetricsSeverity::warn ? Severity::warn : Severity::info;
-}
-
 std::optional<metrics::UncertainValue> reading(const std::optional<Measured>& value, metrics::Reading which) {
   return value ? std::optional(metrics::UncertainValue(value->value, value->std, which)) : std::nullopt;
 }
@@ -71,13 +66,7 @@ BatPerformance bat_performance(const BatReadings& readings) {
                      .v_contact_mps = api::measured(results.contact_mps),
                      .v_swing_mps = api::measured(results.swing_mps),
                      .k = api::measured(results.k)};
-  for (const metrics::MetricsWarning& warning : metrics::metrics_warnings(internal, results)) {
-    out.warnings.push_back({.code = warning.code,
-                            .message = warning.message,
-                            .options = warning.options,
-                            .remedy = warning.remedy,
-                            .severity = api::public_severity(warning.severity)});
-  }
+  out.warnings = api::warnings_of(metrics::metrics_warnings(internal, results));
   return out;
 }
 

@@ -9,64 +9,18 @@
 #include <set>
 #include <tuple>
 
-#include "acquire/hits/time_selection.hpp"
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
-#include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/hits/motion_before.hpp"
 #include "pipeline/impact_speed.hpp"
+#include "pipeline/impacts.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/deflection_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
 
 namespace percuss::pipeline {
 namespace {
-
-// Fewest samples before the onset that allow an estimate of the bias despite the ringing of the filter.
-constexpr std::size_t kMinRestSamples = 16;
-// The rest before an impact gives the bias of the acceleration, whose double integral grows with the square of the
-// time. A longer rest may hold a drift that is no straight line.
-constexpr double kRest_s = 0.1;
-
-bool has_pulse(const AnalysedHit& hit) {
-  return std::none_of(hit.hit.findings.begin(), hit.hit.findings.end(),
-                      [](const acquire::Finding& finding) { return finding.code == acquire::FindingCode::no_pulse; });
-}
-
-bool usable(const AnalysedHit& hit, const AnalysisOptions& options, std::size_t index) {
-  if (names_hit(options.reject_hits, options.accept_hits, index)) return false;
-  return names_hit(options.accept_hits, options.reject_hits, index) || has_pulse(hit);
-}
-
-// Impacts that are left out although the user did not reject them.
-std::size_t without_pulse(const std::vector<AnalysedHit>& impacts, const AnalysisOptions& options) {
-  std::size_t count = 0;
-  for (std::size_t h = 0; h < impacts.size(); ++h) {
-    if (!usable(impacts[h], options, h) && !names_hit(options.reject_hits, options.accept_hits, h)) ++count;
-  }
-  return count;
-}
-
-// Without a force each row is one impact. It begins when the first accelerometer begins to move.
-std::vector<AnalysedHit> impacts_without_force(const acquire::Record& record) {
-  std::vector<AnalysedHit> impacts;
-  impacts.reserve(record.rows.size());
-  for (std::size_t row = 0; row < record.rows.size(); ++row) {
-    std::vector<double> accel(record.rows[row].samples);
-    double onset_s = static_cast<double>(accel.size()) / record.fs_Hz;
-    for (std::size_t c = 0; c < record.accel.size(); ++c) {
-      record.read_accel_mps2(row, c, 0, accel);
-      onset_s = std::min(onset_s, metrics::motion_onset_s(accel, record.fs_Hz));
-    }
-    AnalysedHit impact{.point = record.rows[row].point, .accepted = true, .responses = {}};
-    impact.hit.row = row;
-    impact.hit.samples = accel.size();
-    impact.hit.onset_s = onset_s;
-    impacts.push_back(std::move(impact));
-  }
-  return impacts;
-}
 
 std::vector<metrics::ModalContribution> modal_contributions(const Analysis& analysis, int point, std::size_t channel,
                                                             double corner_Hz) {
@@ -85,18 +39,6 @@ std::vector<metrics::ModalContribution> modal_contributions(const Analysis& anal
     }
   }
   return contributions;
-}
-
-// The first sample of an impact's signals: earlier than the hit's where the structure rests before it and the user
-// states no pre-trigger.
-std::size_t first_sample(const acquire::Record& record, const acquire::HitOptions& options,
-                         const std::vector<AnalysedHit>& impacts, std::size_t h) {
-  const acquire::Hit& hit = impacts[h].hit;
-  if (options.pretrigger_s) return hit.first;
-  const auto rest = static_cast<std::size_t>(kRest_s * record.fs_Hz);
-  const std::size_t earliest =
-      std::max(last_blow_before(impacts, h).end, acquire::select_time_range(record, hit.row, options).first);
-  return std::min(hit.first, std::max(earliest, hit.gate_first - std::min(hit.gate_first, rest)));
 }
 
 DeflectedHit deflected(const acquire::Record& record, const AnalysedHit& hit, const ImpactTestOptions& options,
@@ -177,12 +119,6 @@ std::vector<PointDeflection> averaged(const std::vector<DeflectedHit>& hits, con
   return points;
 }
 
-bool rest_recorded(double fs_Hz, const std::vector<AnalysedHit>& impacts, const std::vector<std::size_t>& hits) {
-  return std::all_of(hits.begin(), hits.end(), [&](std::size_t h) {
-    return onset_from_first_sample_s(impacts[h].hit, fs_Hz) * fs_Hz >= static_cast<double>(kMinRestSamples);
-  });
-}
-
 std::string without_force_remedy(metrics::DeflectionMethod method, bool mass_given) {
   std::string remedy = method == metrics::DeflectionMethod::modal ? "choose another method" : "";
   if (mass_given) remedy += std::string(remedy.empty() ? "" : " and ") + "leave out the effective mass";
@@ -209,7 +145,7 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   const std::vector<AnalysedHit> impacts = record.has_force ? analysis.force_hits() : impacts_without_force(record);
   std::vector<std::size_t> hits;
   for (std::size_t h = 0; h < impacts.size(); ++h) {
-    if (usable(impacts[h], analysis.options(), h)) hits.push_back(h);
+    if (is_usable_impact(impacts[h], analysis.options(), h)) hits.push_back(h);
   }
   const bool rest = rest_recorded(record.fs_Hz, impacts, hits);
   const std::vector<bool> moving = moves_before(record, impacts, hits, analysis.options().threads);
@@ -238,8 +174,9 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
       const std::size_t h = hits[i / channels], c = i % channels;
       const auto& modes = contributions.at({impacts[h].point, c});
       const bool by_modes = method == metrics::DeflectionMethod::automatic && moving[i / channels] && !modes.empty();
-      const std::size_t first =
-          moving[i / channels] ? impacts[h].hit.first : first_sample(record, analysis.options().hits, impacts, h);
+      const std::size_t first = moving[i / channels]
+                                    ? impacts[h].hit.first
+                                    : first_sample_of_impact(record, analysis.options().hits, impacts, h);
       test.hits[i] = deflected(record, impacts[h], options, h, first, c, modes,
                                by_modes ? metrics::DeflectionMethod::modal : method);
     });
@@ -247,7 +184,7 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   });
   for (DeflectedHit& hit : test.hits) hit.position_m = position_of(hit.point);
   test.points = averaged(test.hits, position_of);
-  DeflectionResults results{.without_pulse = without_pulse(impacts, analysis.options()),
+  DeflectionResults results{.without_pulse = impacts_without_pulse(impacts, analysis.options()),
                             .impacts = impacts.size(),
                             .rest_recorded = rest,
                             .free_body = options.deflection.free_body,

@@ -9,6 +9,7 @@
 
 #include "report/json/json_document.hpp"
 #include "report/json/or_null.hpp"
+#include "report/json/warning_json.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/numeric_csv.hpp"
 #include "report/text/text_table.hpp"
@@ -67,14 +68,8 @@ std::string missing_errors_text(const metrics::UncertainValue& value) {
                      fmt::join(names, ", "));
 }
 
-Json metrics_warning_json(const metrics::MetricsWarning& warning) {
-  Json json{{"code", warning.code}, {"severity", name_of(warning.severity)}, {"message", warning.message}};
-  if (!warning.remedy.empty()) json["remedy"] = warning.remedy;
-  return json;
-}
-
 ReportText text_of_metrics(const std::vector<MetricLine>& lines, const metrics::BatMetrics& m,
-                           const std::vector<metrics::MetricsWarning>& warnings) {
+                           const std::vector<metrics::Warning>& warnings) {
   TextTable table({{"number"}, {"value", TextTable::Align::right}, {"unit"}, {"from"}});
   std::size_t absent = 0;
   for (const MetricLine& line : lines) {
@@ -94,8 +89,8 @@ ReportText text_of_metrics(const std::vector<MetricLine>& lines, const metrics::
   if (m.drop_class) out += fmt::format("class {}\n", *m.drop_class);
   if (absent > 0 && absent < lines.size())
     out += fmt::format("{} more metrics need readings that are missing\n", absent);
-  for (const metrics::MetricsWarning& warning : warnings) {
-    if (warning.severity == metrics::MetricsSeverity::reject) {
+  for (const metrics::Warning& warning : warnings) {
+    if (warning.severity == warnings::Severity::reject) {
       out.warn({warning.message, warning.options});
     } else {
       out.say({"note: " + warning.message, warning.options});
@@ -123,7 +118,7 @@ std::vector<MetricLine> metric_lines(const metrics::BatReadings& r, const metric
 }
 
 Json metrics_json(const metrics::BatMetrics& metrics, const std::vector<MetricLine>& lines,
-                  const std::vector<metrics::MetricsWarning>& warnings, const BatProfileReadings& profile) {
+                  const std::vector<metrics::Warning>& warnings, const BatProfileReadings& profile) {
   Json json = Json::object(), uncertainty = Json::object(), equation = Json::object();
   for (const MetricLine& line : lines) {
     json[line.key] = line.value ? Json(line.value->value()) : Json();
@@ -135,7 +130,7 @@ Json metrics_json(const metrics::BatMetrics& metrics, const std::vector<MetricLi
   json["equation"] = std::move(equation);
   json["profile"] = profile_json(profile, metrics);
   json["warnings"] = Json::array();
-  for (const metrics::MetricsWarning& warning : warnings) json["warnings"].push_back(metrics_warning_json(warning));
+  for (const metrics::Warning& warning : warnings) json["warnings"].push_back(warning_json(warning));
   return json;
 }
 

@@ -56,7 +56,6 @@ std::vector<MetricLine> metric_lines(const metrics::BatReadings& readings, const
 
 /// The members of a document of one bat, without schema and version. `lines` and `warnings` belong to `metrics`.
 nlohmann::ordered_json metrics_json(const metrics::BatMetrics& metrics, const std::vector<MetricLine>& lines,
-                                    const std::vector<metrics::MetricsWarning>& warnings,
-                                    const BatProfileReadings& profile);
+                                    const std::vector<metrics::Warning>& warnings, const BatProfileReadings& profile);
 
 }  // namespace percuss::report

@@ -51,13 +51,12 @@ std::string table_row(const NamedMetrics& bat, const std::vector<MetricLine>& li
 
 // Warnings of equal text, with the bats that they concern.
 struct SharedWarning {
-  metrics::MetricsWarning warning;
+  metrics::Warning warning;
   std::vector<std::string> ids;
 };
 
-void collect(std::vector<SharedWarning>& all, const std::vector<metrics::MetricsWarning>& warnings,
-             const std::string& id) {
-  for (const metrics::MetricsWarning& warning : warnings) {
+void collect(std::vector<SharedWarning>& all, const std::vector<metrics::Warning>& warnings, const std::string& id) {
+  for (const metrics::Warning& warning : warnings) {
     const auto known = std::find_if(all.begin(), all.end(), [&](const SharedWarning& one) {
       return one.warning.code == warning.code && one.warning.message == warning.message;
     });
@@ -74,7 +73,7 @@ void add_warnings(const std::vector<SharedWarning>& all, std::size_t bats, Repor
     const std::string who = ids.size() == bats
                                 ? (bats == 1 ? ids[0] : "all bats")
                                 : ids[0] + (ids.size() == 1 ? "" : fmt::format(" and {} more", ids.size() - 1));
-    if (warning.severity == metrics::MetricsSeverity::reject) {
+    if (warning.severity == warnings::Severity::reject) {
       out.warn({who + ": " + warning.message, warning.options});
     } else {
       out.say({"note: " + who + ": " + warning.message, warning.options});
@@ -120,7 +119,7 @@ CommandReport metrics_table_report(const std::vector<NamedMetrics>& bats, CsvFor
     all_lines.push_back(lines);
     report.table += table_row(bat, lines, formulas);
     Json one{{"bat", bat_json(bat.label)}};
-    const std::vector<metrics::MetricsWarning> own = metrics::metrics_warnings(bat.readings, computed);
+    const std::vector<metrics::Warning> own = metrics::metrics_warnings(bat.readings, computed);
     one.update(metrics_json(computed, lines, own, bat.profile));
     json["bats"].push_back(std::move(one));
     collect(warnings, own, bat.label.id);

@@ -132,11 +132,11 @@ void add_structure_json(const model::BeamStructure& structure, const StructureOr
     json["added_mass"].push_back({{"mass_kg", one.mass_kg}, {"from_m", one.from_m}, {"to_m", one.to_m}});
   json["fit"] = structure_fit_json(origin);
   json["warnings"] = Json::array();
-  for (const model::ProfileWarning& warning : warnings_of(structure, origin, freq_Hz)) {
+  for (const auto& [warning, value] : warnings_of(structure, origin, freq_Hz)) {
     json["warnings"].push_back({{"code", warning.code},
-                                {"severity", "warn"},
+                                {"severity", name_of(*warning.severity)},
                                 {"message", warning.message},
-                                {"value", warning.value},
+                                {"value", value},
                                 {"remedy", warning.remedy}});
   }
 }
@@ -155,7 +155,7 @@ void add_structure_text(const model::BeamStructure& structure, const StructureOr
   }
   text.say({line, {}});
   if (origin.fit) add_fit_text(origin, text);
-  for (const model::ProfileWarning& warning : warnings_of(structure, origin, freq_Hz))
+  for (const auto& [warning, value] : warnings_of(structure, origin, freq_Hz))
     text.warn({warning.message, warning.options});
 }
 

@@ -8,6 +8,7 @@
 
 #include "model/trampoline/trampoline_warnings.hpp"
 #include "report/json/json_document.hpp"
+#include "report/json/warning_json.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/version.hpp"
 #include "report/trampoline_bats_report.hpp"
@@ -77,14 +78,11 @@ std::string peak_text(const std::vector<double>& hoop_Hz, const model::HoopPeak&
                             peak.cor / wall, wall, peak.cor / reference, reference);
 }
 
-void add_warnings(const std::vector<model::TrampolineWarning>& warnings, Json& json, ReportText& text) {
+void add_warnings(const std::vector<warnings::Warning>& warnings, Json& json, ReportText& text) {
   json["warnings"] = Json::array();
-  for (const model::TrampolineWarning& w : warnings) {
-    json["warnings"].push_back({{"code", w.code},
-                                {"severity", name_of(w.severity)},
-                                {"message", w.message + "; " + w.remedy},
-                                {"remedy", w.remedy}});
-    text.warn({w.message + "; " + w.remedy, w.options});
+  for (const warnings::Warning& warning : warnings) {
+    json["warnings"].push_back(warning_json(warning));
+    text.warn({warning.message, warning.options});
   }
 }
 

@@ -62,11 +62,12 @@ std::map<std::string, std::string> ranked_severities() {
   std::map<std::string, std::string> out;
   for (const pipeline::RankedCode& ranked : pipeline::ranked_codes())
     out[std::string(ranked.code)] = name_of(ranked.severity);
-  for (const metrics::RankedMetricsCode& ranked : metrics::ranked_metrics_codes())
+  for (const warnings::RankedCode& ranked : metrics::ranked_metrics_codes())
     out[std::string(ranked.code)] = name_of(ranked.severity);
-  for (const model::RankedTrampolineCode& ranked : model::ranked_trampoline_codes())
+  for (const warnings::RankedCode& ranked : model::ranked_trampoline_codes())
     out[std::string(ranked.code)] = name_of(ranked.severity);
-  for (const std::string_view code : model::kProfileWarningCodes) out[std::string(code)] = "warn";
+  for (const warnings::RankedCode& ranked : model::kProfileWarningCodes)
+    out[std::string(ranked.code)] = name_of(ranked.severity);
   return out;
 }
 

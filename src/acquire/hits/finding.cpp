@@ -34,18 +34,6 @@ const char* name_of(FindingCode code) {
   return "";
 }
 
-const char* name_of(Severity severity) {
-  switch (severity) {
-    case Severity::info:
-      return "info";
-    case Severity::warn:
-      return "warn";
-    case Severity::reject:
-      return "reject";
-  }
-  return "";
-}
-
 bool has_finding(const std::vector<Finding>& findings, FindingCode code) {
   return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) { return finding.code == code; });
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
+#include "core/warning.hpp"
 
 namespace percuss::acquire {
 
@@ -21,7 +21,7 @@ enum class FindingCode {
   force_clipped,
   rejected_live
 };
-enum class Severity { info, warn, reject };
+using warnings::Severity;
 
 /// A judgement on a hit, and the number that decided it.
 struct Finding {
@@ -36,7 +36,6 @@ struct Finding {
 
 /// The code's name in JSON: "double_hit", …
 const char* name_of(FindingCode code);
-const char* name_of(Severity severity);
 
 /// Whether one of the findings has this code.
 bool has_finding(const std::vector<Finding>& findings, FindingCode code);

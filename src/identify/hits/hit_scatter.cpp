@@ -1,9 +1,9 @@
 #include "identify/hits/hit_scatter.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "core/math/random_effects.hpp"
 #include "core/math/significance.hpp"
 #include "identify/hits/hit_laws.hpp"
 #include "identify/hits/moved_residues.hpp"
@@ -117,30 +117,15 @@ bool is_undetermined(const HitFrfs& hits, const std::vector<std::size_t>& residu
 }  // namespace
 
 ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vector<double>& std) {
-  const auto weighted = [&](double spread2) {
-    double sum = 0, weights = 0, squares = 0;
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      const double w = 1 / (std[i] * std[i] + spread2);
-      sum += w * (value[i] - value.front());
-      weights += w;
-      squares += w * w;
-    }
-    return std::array{value.front() + sum / weights, weights, squares};
-  };
-  const auto [first, weights, squares] = weighted(0);
-  double chi2 = 0;
-  for (std::size_t i = 0; i < value.size(); ++i) chi2 += std::pow((value[i] - first) / std[i], 2);
+  const RandomEffects all = random_effects(value, std, value.front());
   const auto degrees = static_cast<double>(value.size() - 1);
-  const double spread2 = std::max(0.0, (chi2 - degrees) / (weights - squares / weights));
-  const auto [mean, certainty, unused] = weighted(spread2);
-  static_cast<void>(unused);
-  const double noise2 = 1 / weights;
-  const double scatter = std::sqrt(std::max(0.0, 1 / certainty - noise2));
-  return {.mean = mean,
+  const double noise2 = 1 / all.own_weights;
+  const double scatter = std::sqrt(std::max(0.0, 1 / all.weights - noise2));
+  return {.mean = all.mean,
           .std = std::sqrt(noise2),
           .std_from_scatter = scatter > 0 ? student_factor(degrees) * scatter : 0,
-          .spread = std::sqrt(spread2),
-          .deviate = chi2_deviate(chi2, degrees)};
+          .spread = std::sqrt(all.variance),
+          .deviate = chi2_deviate(all.chi2, degrees)};
 }
 
 WindowedHitPoles windowed_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes) {

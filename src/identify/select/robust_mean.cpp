@@ -1,11 +1,11 @@
 #include "identify/select/robust_mean.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
 
+#include "core/math/random_effects.hpp"
 #include "core/math/statistics.hpp"
 
 namespace percuss::identify {
@@ -56,24 +56,8 @@ double weighted_median(const std::vector<double>& value, const std::vector<doubl
 RobustMean robust_mean(const std::vector<double>& value, const std::vector<double>& stated,
                        const std::vector<double>& size) {
   const std::vector<double> std = widened_at_outliers(value, stated, size), factor = node_factors(size);
-  const auto weighted = [&](double spread2) {
-    double sum = 0, weights = 0, squares = 0;
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      const double w = 1 / (std[i] * std[i] + spread2 * factor[i]);
-      sum += w * value[i];
-      weights += w;
-      squares += w * w;
-    }
-    return std::array{sum / weights, weights, squares};
-  };
-  const auto [first, weights, squares] = weighted(0);
-  double chi2 = 0;
-  for (std::size_t i = 0; i < value.size(); ++i) chi2 += std::pow((value[i] - first) / std[i], 2);
-  const double excess = chi2 - static_cast<double>(value.size() - 1);
-  const double spread2 = std::max(0.0, excess / (weights - squares / weights));
-  const auto [mean, certainty, unused] = weighted(spread2);
-  static_cast<void>(unused);
-  return {.value = mean, .std = 1 / std::sqrt(certainty), .spread = std::sqrt(spread2)};
+  const RandomEffects all = random_effects(value, std, 0, factor);
+  return {.value = all.mean, .std = 1 / std::sqrt(all.weights), .spread = std::sqrt(all.variance)};
 }
 
 }  // namespace percuss::identify

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "metrics/protocol/plausibility.hpp"
 #include "metrics/protocol/resolution.hpp"
@@ -14,19 +14,13 @@ namespace {
 constexpr double kMinBelow = 2.1, kMaxBelow = 3.0;  // class −3: length in inches minus weight in ounces
 constexpr double kMinExponent = 0.08, kMaxExponent = 0.37;
 
-constexpr auto kMetricsRanking = std::to_array<RankedMetricsCode>({
-    {"rebound_speed", MetricsSeverity::reject},
-    {"implausible_value", MetricsSeverity::reject},
-    {"swing_exponent", MetricsSeverity::warn},
-    {"drop_class", MetricsSeverity::info},
-    {"swing_speed_constant", MetricsSeverity::info},
+constexpr auto kMetricsRanking = std::to_array<warnings::RankedCode>({
+    {"rebound_speed", warnings::Severity::reject},
+    {"implausible_value", warnings::Severity::reject},
+    {"swing_exponent", warnings::Severity::warn},
+    {"drop_class", warnings::Severity::info},
+    {"swing_speed_constant", warnings::Severity::info},
 });
-
-std::size_t rank_of(const MetricsWarning& warning) {
-  const auto* const at = std::find_if(kMetricsRanking.begin(), kMetricsRanking.end(),
-                                      [&](const RankedMetricsCode& known) { return known.code == warning.code; });
-  return static_cast<std::size_t>(at - kMetricsRanking.begin());
-}
 
 // f(numbers), or nothing when a number is absent.
 template <class F, class... T>
@@ -84,14 +78,10 @@ BatMetrics bat_metrics(const BatReadings& r) {
   return out;
 }
 
-const char* name_of(MetricsSeverity severity) {
-  return severity == MetricsSeverity::reject ? "reject" : severity == MetricsSeverity::warn ? "warn" : "info";
-}
+std::span<const warnings::RankedCode> ranked_metrics_codes() { return kMetricsRanking; }
 
-std::span<const RankedMetricsCode> ranked_metrics_codes() { return kMetricsRanking; }
-
-std::vector<MetricsWarning> metrics_warnings(const BatReadings& r, const BatMetrics& m) {
-  std::vector<MetricsWarning> out = implausible_values(r, m);
+std::vector<Warning> metrics_warnings(const BatReadings& r, const BatMetrics& m) {
+  std::vector<Warning> out = implausible_values(r, m);
   const SwingModel standard;
   if (m.swing_mps && !r.swing_mps && r.swing.v0_mps == standard.v0_mps) {
     out.push_back(with_remedy(
@@ -126,10 +116,7 @@ std::vector<MetricsWarning> metrics_warnings(const BatReadings& r, const BatMetr
                      r.out_mps->value() / kMilePerHour_mps, r.in_mps->value() / kMilePerHour_mps),
          {"v_in_mph", "v_out_mph"}},
         "exchange the two speeds, or correct them"));
-  std::stable_sort(out.begin(), out.end(),
-                   [](const MetricsWarning& a, const MetricsWarning& b) { return rank_of(a) < rank_of(b); });
-  for (MetricsWarning& warning : out) warning.severity = kMetricsRanking.at(rank_of(warning)).severity;
-  return out;
+  return warnings::ranked(std::move(out), kMetricsRanking);
 }
 
 }  // namespace percuss::metrics

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
+#include "core/warning.hpp"
 #include "metrics/protocol/performance.hpp"
 #include "metrics/protocol/uncertain_value.hpp"
 
@@ -40,33 +40,14 @@ BatMetrics bat_metrics(const BatReadings& readings);
 /// The class of a drop in the rules: −3 for 2.1 to 3.0 oz below the length in inches, none otherwise.
 std::optional<int> drop_class_of(double drop);
 
-enum class MetricsSeverity { reject, warn, info };
-const char* name_of(MetricsSeverity severity);
-
-struct MetricsWarning {
-  std::string code, message;
-  std::vector<OptionId> options = {};  // that the message concerns
-  std::string remedy = {};             // what to do; the end of `message`
-  MetricsSeverity severity = MetricsSeverity::warn;
-};
-
-/// The warning with a remedy, which ends its message: "MESSAGE; REMEDY".
-inline MetricsWarning with_remedy(MetricsWarning warning, std::string remedy) {
-  warning.message += "; " + remedy;
-  warning.remedy = std::move(remedy);
-  return warning;
-}
-
-struct RankedMetricsCode {
-  std::string_view code;
-  MetricsSeverity severity;
-};
+using warnings::Warning;
+using warnings::with_remedy;
 
 /// All codes of metrics_warnings(), most serious first. docs/reference/warnings.md has a row for each.
-std::span<const RankedMetricsCode> ranked_metrics_codes();
+std::span<const warnings::RankedCode> ranked_metrics_codes();
 
 /// Warns of implausible values and of inconsistent constants of the source. The most serious warning comes first, and
 /// each has the severity of its code.
-std::vector<MetricsWarning> metrics_warnings(const BatReadings& readings, const BatMetrics& metrics);
+std::vector<Warning> metrics_warnings(const BatReadings& readings, const BatMetrics& metrics);
 
 }  // namespace percuss::metrics

@@ -33,7 +33,7 @@ struct Check {
   std::vector<OptionId> options;
 };
 
-void add_if_implausible(const Check& check, std::vector<MetricsWarning>& out) {
+void add_if_implausible(const Check& check, std::vector<Warning>& out) {
   if (!check.value) return;
   const double value = check.value->value() / check.unit_SI;
   if (value >= check.low && value <= check.high) return;
@@ -46,7 +46,7 @@ void add_if_implausible(const Check& check, std::vector<MetricsWarning>& out) {
       check.remedy));
 }
 
-void check_bat(const BatReadings& r, std::vector<MetricsWarning>& out) {
+void check_bat(const BatReadings& r, std::vector<Warning>& out) {
   add_if_implausible({"a length",
                       "in",
                       r.length_m,
@@ -92,7 +92,7 @@ void check_bat(const BatReadings& r, std::vector<MetricsWarning>& out) {
                      out);
 }
 
-void check_moi(const BatReadings& r, const BatMetrics& m, std::vector<MetricsWarning>& out) {
+void check_moi(const BatReadings& r, const BatMetrics& m, std::vector<Warning>& out) {
   const bool short_bat = r.length_m && r.length_m->value() < kAdultLength_in * kInch_m;
   double low = short_bat ? kMinMoi_ozin2 : kMinAdultMoi_ozin2, high = kMaxMoi_ozin2;
   const char* why = short_bat
@@ -114,7 +114,7 @@ void check_moi(const BatReadings& r, const BatMetrics& m, std::vector<MetricsWar
                      out);
 }
 
-void check_shot(const BatReadings& r, std::vector<MetricsWarning>& out) {
+void check_shot(const BatReadings& r, std::vector<Warning>& out) {
   add_if_implausible({"a ball",
                       "g",
                       r.ball_kg,
@@ -171,7 +171,7 @@ void check_shot(const BatReadings& r, std::vector<MetricsWarning>& out) {
                      out);
 }
 
-void check_performance(const BatReadings& r, const BatMetrics& m, std::vector<MetricsWarning>& out) {
+void check_performance(const BatReadings& r, const BatMetrics& m, std::vector<Warning>& out) {
   const char* const readings = "check the readings that it follows from";
   const std::vector<OptionId> speeds{"v_in_mph", "v_out_mph", "ball_g", "z_in"};
   if (m.besr && !r.bbcor) {
@@ -188,8 +188,8 @@ void check_performance(const BatReadings& r, const BatMetrics& m, std::vector<Me
 
 }  // namespace
 
-std::vector<MetricsWarning> implausible_values(const BatReadings& readings, const BatMetrics& metrics) {
-  std::vector<MetricsWarning> out;
+std::vector<Warning> implausible_values(const BatReadings& readings, const BatMetrics& metrics) {
+  std::vector<Warning> out;
   check_bat(readings, out);
   check_moi(readings, metrics, out);
   check_shot(readings, out);

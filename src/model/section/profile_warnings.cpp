@@ -4,8 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace percuss::model {
+namespace {
+
+ProfileWarning profile_warning_of(warnings::Warning warning, const char* remedy, double value) {
+  warning.severity = warnings::severity_of(warning.code, kProfileWarningCodes);
+  return {.warning = with_remedy(std::move(warning), remedy), .value = value};
+}
+
+}  // namespace
 
 std::optional<ProfileWarning> profile_warning(const SectionTable& table, const std::vector<double>& freq_Hz,
                                               const std::vector<double>& other_Hz, std::size_t first_mode) {
@@ -18,13 +28,12 @@ std::optional<ProfileWarning> profile_warning(const SectionTable& table, const s
     largest = relative;
     mode = i;
   }
-  const std::string remedy = "if the table holds measured points, say so";
   const std::string message = fmt::format(
       "slices are up to {:.1f} % of the length long; with linear dimensions between the positions mode {} "
-      "would be {:.1f} Hz, not {:.1f} Hz ({:+.1f} %); {}",
-      100 * table.longest_fraction(), first_mode + mode, other_Hz[mode], freq_Hz[mode], 100 * largest, remedy);
-  return ProfileWarning{
-      .code = "long_slices", .message = message, .remedy = remedy, .options = {"profile_kind"}, .value = largest};
+      "would be {:.1f} Hz, not {:.1f} Hz ({:+.1f} %)",
+      100 * table.longest_fraction(), first_mode + mode, other_Hz[mode], freq_Hz[mode], 100 * largest);
+  return profile_warning_of({.code = "long_slices", .message = message, .options = {"profile_kind"}},
+                            "if the table holds measured points, say so", largest);
 }
 
 std::optional<ProfileWarning> shear_warning(const SectionTable& table, const Material& material) {
@@ -40,17 +49,12 @@ std::optional<ProfileWarning> shear_warning(const SectionTable& table, const Mat
     }
   }
   if (!(largest > kMaxRatio)) return {};
-  const std::string remedy = "give the shear modulus times shape factor of this material";
-  return ProfileWarning{
-      .code = "low_shear",
-      .message = fmt::format(
-          "the ratio of Young's modulus to the shear modulus times shape factor ({:.3g} Pa) is {:.3g}; wood "
-          "has about 17, metals 3. If the shear modulus belongs to another material, higher modes come out "
-          "too low; {}",
-          shear_Pa, largest, remedy),
-      .remedy = remedy,
-      .options = {"shear"},
-      .value = largest};
+  const std::string message = fmt::format(
+      "the ratio of Young's modulus to the shear modulus times shape factor ({:.3g} Pa) is {:.3g}; wood has about 17, "
+      "metals 3. If the shear modulus belongs to another material, higher modes come out too low",
+      shear_Pa, largest);
+  return profile_warning_of({.code = "low_shear", .message = message, .options = {"shear"}},
+                            "give the shear modulus times shape factor of this material", largest);
 }
 
 }  // namespace percuss::model

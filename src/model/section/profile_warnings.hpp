@@ -2,25 +2,24 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "core/error.hpp"
+#include "core/warning.hpp"
 #include "model/section/section_table.hpp"
 
 namespace percuss::model {
 
-/// A warning about a model's frequencies.
+/// A warning about a model's frequencies, and the number that decided it.
 struct ProfileWarning {
-  std::string code, message;  // the message ends with the remedy
-  std::string remedy;
-  std::vector<OptionId> options;
+  warnings::Warning warning;
   double value = 0;
 };
 
-/// The codes of profile warnings, all with the severity warn. docs/reference/warnings.md has a row for each.
-inline constexpr std::array<std::string_view, 2> kProfileWarningCodes{"long_slices", "low_shear"};
+/// The codes of profile warnings. docs/reference/warnings.md has a row for each.
+inline constexpr auto kProfileWarningCodes = std::to_array<warnings::RankedCode>({
+    {"long_slices", warnings::Severity::warn},
+    {"low_shear", warnings::Severity::warn},
+});
 
 /// The warning long_slices: frequencies depend on how the table was read. Its value is the largest relative difference
 /// of a frequency. `freq_Hz` are the frequencies of the elastic modes with the table read as slices,

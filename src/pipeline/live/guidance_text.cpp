@@ -61,7 +61,7 @@ std::string place_text(const SessionPlan& plan, int point, std::size_t blow) {
   return point_text(plan, point) + ", " + blows;
 }
 
-std::string prompt_text(const Session& session, RovingPart roving) {
+std::string prompt_text(const SessionState& session, RovingPart roving) {
   if (session.finished()) return "finished";
   if (session.paused()) return "paused; press space to go on";
   const SessionPlan& plan = session.plan();
@@ -203,7 +203,7 @@ std::string silent_hammer_text(const LiveChannels& channels, std::optional<doubl
       name_of_channel(channels, 0), channels.force_number);
 }
 
-std::string summary_text(const Session& session) {
+std::string summary_text(const SessionState& session) {
   const SessionPlan& plan = session.plan();
   const std::size_t complete = session.complete_points();
   const std::size_t accepted = session.accepted(), undone = session.undone();

@@ -17,7 +17,7 @@ enum class RovingPart { hammer, sensor };
 /// the plan; without the point where there is one only. "a further blow (4)" where there are as many as planned.
 std::string place_text(const SessionPlan& plan, int point, std::size_t blow);
 /// What to do next: "strike: blow 3 of 5", "move the hammer to point 8 of 24", "paused".
-std::string prompt_text(const Session& session, RovingPart roving);
+std::string prompt_text(const SessionState& session, RovingPart roving);
 /// One line: place, number of the hit in the file where that is another, verdict, reason and remedy, or what the blow
 /// reached and advice about the range.
 std::string blow_text(const BlowReport& blow, const LiveChannels& channels, const SessionPlan& plan);
@@ -39,6 +39,6 @@ std::string silent_hammer_text(const LiveChannels& channels, std::optional<doubl
 /// A push at this time was too long for a blow.
 std::string long_push_text(const LongPush& push, double time_s);
 /// The end: "22 of 24 points complete; 113 blows count, 9 rejected, 2 undone".
-std::string summary_text(const Session& session);
+std::string summary_text(const SessionState& session);
 
 }  // namespace percuss::pipeline

@@ -10,18 +10,11 @@
 namespace percuss::pipeline {
 namespace {
 
-using Kind = SessionEvent::Kind;
-
-constexpr std::size_t kCompared = 8;  // blows of the point: time and memory of a verdict stay bounded
-constexpr double kLongGap_s = 1;      // after a longer one the trigger begins anew
-constexpr std::size_t kFeed = 4096;   // samples
-constexpr double kStrongPush = 0.2;   // of the usual blow, or of the last push: a weaker one was no attempt to strike
-constexpr std::size_t kGainAdviceBlows = 2;  // first blows, while ranges may still be set: advice on gains
-constexpr double kMuchWeaker = 0.5;          // than an earlier blow: no reason to raise a gain
-constexpr std::size_t kMinToCompare = 3;     // blows: two do not tell which is weak
-constexpr double kRest_s = 0.2;              // before a blow, where the structure should be at rest
-constexpr double kMissedResponse = 0.3;      // of the usual response: no such motion comes without a blow
-constexpr std::size_t kResponses = 20;       // last accepted blows: the median of their responses is the usual one
+constexpr double kLongGap_s = 1;     // after a longer one the trigger begins anew
+constexpr std::size_t kFeed = 4096;  // samples
+constexpr double kStrongPush = 0.2;  // of the usual blow, or of the last push: a weaker one was no attempt to strike
+constexpr double kRest_s = 0.2;      // before a blow, where the structure should be at rest
+constexpr double kMissedResponse = 0.3;  // of the usual response: no such motion comes without a blow
 
 // The frames of a block before `frame`, and the rest.
 std::pair<acquire::SampleBlock, acquire::SampleBlock> split(acquire::SampleBlock block, std::uint64_t frame) {
@@ -135,7 +128,7 @@ void Guide::collect_events() {
 }
 
 bool Guide::is_attempt(const LongPush& push) {
-  const double size_N = std::abs(push.peak_N), usual_N = typical(&Session::Blow::peak_N);
+  const double size_N = std::abs(push.peak_N), usual_N = typical(&SessionState::Blow::peak_N);
   const bool strong = size_N >= kStrongPush * (usual_N > 0 ? usual_N : std::abs(reported_push_.peak_N));
   const bool handling = reported_push_.peak > 0 && push.peak < reported_push_.peak + static_cast<std::uint64_t>(fs_Hz_);
   if (!strong || handling) return false;
@@ -194,93 +187,6 @@ void Guide::advance(bool last) {
     windows_.pop_front();
     if (windows_.empty() && length_) watch_on(previous_end_);
   }
-}
-
-void Guide::judge(const Window& window) {
-  if (session_.paused()) return;
-  const BlowSamples samples = read_blow(history_, channels_, window.first, *length_);
-  const bool cut = length_by_end_ || history_.end_frame() < window.first + *length_;  // by the end of the recording
-  note_rest(window);
-  BlowGrade graded = grade(samples, window);
-  regrade_weak(graded);
-  BlowReport report{.row = session_.blows().size(),
-                    .end_frame = window.first + *length_,
-                    .point = session_.point(),
-                    .blow = session_.accepted_at(session_.point()) + 1,
-                    .grade = graded,
-                    .may_advise_gain = may_advise_gain(graded)};
-  store_->append(samples);
-  previous_end_ = report.end_frame;
-  note_response(samples, graded);
-  const SessionEvent event{.kind = Kind::blow,
-                           .frame = window.first,
-                           .mark = graded.mark,
-                           .point = session_.point(),
-                           .message = graded.accepted() ? "accepted" : graded.reason + "; " + graded.remedy,
-                           .peak_N = graded.peak_N,
-                           .bandwidth_Hz = graded.bandwidth_Hz,
-                           .differ = graded.blows_differ};
-  report.repeated = repeat_past(event);
-  if (report.repeated) return observer_.on_blow(report);
-  if (cut) {  // not in the journal: a resumed session judges it again, with the samples that follow
-    session_.apply(event);
-    return observer_.on_blow(report);
-  }
-  for (const auto& [row, mark] : graded.regraded)
-    log_and_apply({.kind = Kind::regraded, .frame = window.first, .mark = mark, .row = row});
-  log_and_apply(event);
-  report.one_more = graded.accepted() && !session_.finished() && session_.point() == report.point &&
-                    session_.accepted_at(report.point) >= session_.plan().hits;
-  observer_.on_blow(report);
-  for (const auto& [row, mark] : graded.regraded) observer_.on_regraded(row, mark);
-  if (graded.accepted()) check_goals();
-}
-
-void Guide::note_response(const BlowSamples& samples, const BlowGrade& grade) {
-  if (!grade.accepted()) return;
-  const Extremes all = extremes_of(samples[1]);
-  const double to_mps2 = std::abs(channels_.accel_to_mps2.front());
-  response_peaks_.push_back(std::max(std::abs(all.low), std::abs(all.high)) / to_mps2);
-  if (response_peaks_.size() > kResponses) response_peaks_.erase(response_peaks_.begin());
-}
-
-bool Guide::may_advise_gain(const BlowGrade& grade) const {
-  const auto& blows = session_.blows();
-  return blows.size() < kGainAdviceBlows && std::all_of(blows.begin(), blows.end(), [&](const Session::Blow& blow) {
-           return kMuchWeaker * std::abs(blow.peak_N) <= std::abs(grade.peak_N);
-         });
-}
-
-void Guide::regrade_weak(BlowGrade& grade) const {
-  if (!grade.accepted()) return;
-  std::vector<double> peaks_N{std::abs(grade.peak_N)};
-  const std::vector<std::size_t> rows = session_.accepted_rows();
-  for (const std::size_t row : rows) peaks_N.push_back(std::abs(session_.blows()[row].peak_N));
-  if (peaks_N.size() < kMinToCompare) return;
-  const double least_N = kWeakBlow * median(std::move(peaks_N));
-  for (const std::size_t row : rows) {
-    const bool known = std::any_of(grade.regraded.begin(), grade.regraded.end(),
-                                   [row](const BlowGrade::Regraded& other) { return other.row == row; });
-    if (!known && std::abs(session_.blows()[row].peak_N) < least_N)
-      grade.regraded.push_back({.row = row, .mark = acquire::RowMark::weak});
-  }
-}
-
-BlowGrade Guide::grade(const BlowSamples& samples, const Window& window) const {
-  const auto past = past_.find(window.first);
-  const bool whole = force_losses(window.first, window.first + *length_).empty();
-  if (past != past_.end() && past->second.blow && whole) {
-    const SessionEvent& blow = *past->second.blow;
-    return {.mark = blow.mark,
-            .reason = blow.message,
-            .peak_N = blow.peak_N,
-            .bandwidth_Hz = blow.bandwidth_Hz,
-            .blows_differ = blow.differ};
-  }
-  std::vector<std::size_t> rows = session_.accepted_rows(session_.point());
-  if (rows.size() > kCompared) rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(kCompared));
-  return grade_blow(samples, circumstances(window),
-                    {.channels = channels_, .store = store_, .rows = std::move(rows), .options = options_.analysis});
 }
 
 void Guide::finish() {

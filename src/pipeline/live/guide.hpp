@@ -57,7 +57,7 @@ class Guide {
   /// No more samples and findings will come: judges the last blow, and reports the faults after it to the observer.
   void finish();
 
-  const Session& session() const { return session_; }
+  const SessionState& session() const { return session_; }
   const LiveChannels& channels() const { return channels_; }
   std::uint64_t newest_frame() const { return history_.end_frame(); }
   /// The frames in memory: they do not grow with the session.
@@ -117,7 +117,7 @@ class Guide {
   bool repeat_past(const SessionEvent& blow);
   void check_goals();
   void forget();
-  double typical(double Session::Blow::*value) const;
+  double typical(double SessionState::Blow::*value) const;
   /// The force at which blows were clipped, if it was one level; otherwise 0.
   double clipped_at_N() const;
   /// After a blow: watches for responses like those of blows.
@@ -132,7 +132,7 @@ class Guide {
   double fs_Hz_;
   std::vector<double> full_scales_;  // [channels of the device]; 0: not known
   std::size_t pretrigger_;           // of a short pulse
-  Session session_;
+  SessionState session_;
   SampleHistory history_;
   std::unique_ptr<OnlineTrigger> trigger_;
   std::optional<HammerWatch> watch_;

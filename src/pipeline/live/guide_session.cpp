@@ -112,7 +112,7 @@ acquire::Record Guide::record() const {
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   read_from(store_, std::move(rows), record);
   std::vector<SessionFaults::Row> places;
-  for (const Session::Blow& blow : session_.blows()) {
+  for (const SessionState::Blow& blow : session_.blows()) {
     record.rows.push_back({.samples = store_->samples(), .point = blow.point, .mark = blow.mark});
     places.push_back({.frame = blow.frame, .samples = store_->samples()});
   }

@@ -35,9 +35,9 @@ std::string json_of(const SessionEvent& event);
 SessionEvent parse_session_event(const std::string& json, const std::string& where);
 
 /// The state of a session: a function of its plan and of the events so far. It knows neither samples nor a terminal.
-class Session {
+class SessionState {
  public:
-  explicit Session(SessionPlan plan);
+  explicit SessionState(SessionPlan plan);
 
   struct Blow {
     std::uint64_t frame = 0;

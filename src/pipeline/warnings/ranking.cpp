@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "pipeline/warnings/hit_list.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
-using acquire::Severity;
+using warnings::Severity;
 
 // Most serious first within each severity: wrong quantities and mixed tests; distorted or incomplete signals of the
 // whole test; structures that are not linear or not at rest; single hits and disturbances; what the fit leaves open;
@@ -112,14 +113,6 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"no_force", Severity::info},
 });
 
-const RankedCode* find_code(std::string_view code) {
-  const auto* const it =
-      std::find_if(kRanking.begin(), kRanking.end(), [&](const RankedCode& known) { return known.code == code; });
-  return it == kRanking.end() ? nullptr : it;
-}
-
-int order_of(Severity severity) { return severity == Severity::reject ? 0 : severity == Severity::warn ? 1 : 2; }
-
 // The hits that share one finding.
 struct SharedFinding {
   std::vector<std::size_t> used, rejected;
@@ -146,24 +139,9 @@ bool states(const std::vector<Warning>& warnings, std::string_view code) {
 
 std::span<const RankedCode> ranked_codes() { return kRanking; }
 
-Severity severity_of(std::string_view code) {
-  const RankedCode* known = find_code(code);
-  return known != nullptr ? known->severity : Severity::warn;
-}
+Severity severity_of(std::string_view code) { return warnings::severity_of(code, kRanking); }
 
-std::vector<Warning> ranked(std::vector<Warning> warnings) {
-  for (Warning& warning : warnings) {
-    if (!warning.severity) warning.severity = severity_of(warning.code);
-  }
-  const auto key = [](const Warning& warning) {
-    const RankedCode* known = find_code(warning.code);
-    return std::pair(order_of(*warning.severity),
-                     known != nullptr ? static_cast<std::size_t>(known - kRanking.data()) : kRanking.size());
-  };
-  std::stable_sort(warnings.begin(), warnings.end(),
-                   [&](const Warning& a, const Warning& b) { return key(a) < key(b); });
-  return warnings;
-}
+std::vector<Warning> ranked(std::vector<Warning> warnings) { return warnings::ranked(std::move(warnings), kRanking); }
 
 std::vector<Warning> trust_statements(const std::vector<Warning>& warnings, const std::vector<AnalysedHit>& hits) {
   std::map<acquire::FindingCode, SharedFinding> findings;

@@ -9,17 +9,14 @@
 
 namespace percuss::pipeline {
 
-struct RankedCode {
-  std::string_view code;
-  acquire::Severity severity;
-};
+using warnings::RankedCode;
 
 /// All codes of an analysis's warnings and findings, most serious first within each severity.
 /// docs/reference/warnings.md has a row for each.
 std::span<const RankedCode> ranked_codes();
 
 /// The severity of a warning's code; `warn` for a code that the ranking does not know.
-acquire::Severity severity_of(std::string_view code);
+warnings::Severity severity_of(std::string_view code);
 
 /// The warnings with their severities, most serious first: by severity, then by the consequence of their codes.
 /// Warnings of one code keep their order.

@@ -6,7 +6,7 @@
 
 namespace percuss::report {
 
-nlohmann::ordered_json warning_json(const pipeline::Warning& warning) {
+nlohmann::ordered_json warning_json(const warnings::Warning& warning) {
   nlohmann::ordered_json json{{"code", warning.code},
                               {"severity", name_of(warning.severity.value_or(pipeline::severity_of(warning.code)))},
                               {"message", warning.message}};

@@ -182,7 +182,7 @@ TEST(BatMetrics, NamesExchangedSpeedsOnce) {
   const auto warnings = metrics_warnings(r, bat_metrics(r));
   EXPECT_EQ(implausible(r).find("a rebound speed"), std::string::npos) << "the rebound speed is named twice";
   EXPECT_EQ(warnings.front().code, "rebound_speed");
-  EXPECT_EQ(warnings.front().severity, MetricsSeverity::reject);
+  EXPECT_EQ(warnings.front().severity, warnings::Severity::reject);
   EXPECT_NE(warnings.front().message.find("134.2 mph"), std::string::npos) << warnings.front().message;
 }
 
@@ -205,9 +205,9 @@ TEST(BatMetrics, PutsImplausibleValuesFirst) {
   r.period_s = 1250;
   const auto warnings = metrics_warnings(r, bat_metrics(r));
   ASSERT_GE(warnings.size(), 2U);
-  EXPECT_EQ(warnings.front().severity, MetricsSeverity::reject);
+  EXPECT_EQ(warnings.front().severity, warnings::Severity::reject);
   EXPECT_NE(warnings.front().remedy, "");
-  EXPECT_EQ(warnings.back().severity, MetricsSeverity::info);
+  EXPECT_EQ(warnings.back().severity, warnings::Severity::info);
 }
 
 }  // namespace percuss::metrics::bat_metrics_test

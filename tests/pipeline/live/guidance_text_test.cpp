@@ -50,7 +50,7 @@ TEST(GuidanceText, SaysWhyAPushIsNoBlow) {
 }
 
 TEST(GuidanceText, PromptsForTheNextStep) {
-  Session session({.points = {1, 2, 7}, .hits = 2});
+  SessionState session({.points = {1, 2, 7}, .hits = 2});
   const auto prompt = [&] { return prompt_text(session, RovingPart::hammer); };
   EXPECT_EQ(prompt(), "move the hammer to point 1 of 3, then strike");
   session.apply({.kind = Kind::blow});

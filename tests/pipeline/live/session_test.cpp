@@ -11,12 +11,12 @@ using acquire::RowMark;
 using Kind = SessionEvent::Kind;
 using testing::ElementsAre;
 
-void strike(Session& session, int times, RowMark mark = RowMark::none) {
+void strike(SessionState& session, int times, RowMark mark = RowMark::none) {
   for (int i = 0; i < times; ++i) session.apply({.kind = Kind::blow, .mark = mark});
 }
 
-TEST(Session, GoesFromPointToPoint) {
-  Session session({.points = {4, 7, 9}, .hits = 2});
+TEST(SessionState, GoesFromPointToPoint) {
+  SessionState session({.points = {4, 7, 9}, .hits = 2});
   EXPECT_EQ(session.point(), 4);
   strike(session, 1);
   strike(session, 3, RowMark::double_hit);
@@ -32,8 +32,8 @@ TEST(Session, GoesFromPointToPoint) {
   EXPECT_EQ(session.blows().size(), 9U);
 }
 
-TEST(Session, ReturnsToPointsThatWereSkipped) {
-  Session session({.points = {0, 1, 2}, .hits = 1});
+TEST(SessionState, ReturnsToPointsThatWereSkipped) {
+  SessionState session({.points = {0, 1, 2}, .hits = 1});
   session.apply({.kind = Kind::next});
   EXPECT_EQ(session.point(), 1);
   session.apply({.kind = Kind::go_to, .point = 2});
@@ -48,12 +48,12 @@ TEST(Session, ReturnsToPointsThatWereSkipped) {
 }
 
 // A blow that the analysis compares with the others of its point.
-void strike_compared(Session& session, bool differ) { session.apply({.kind = Kind::blow, .differ = differ}); }
-void strike_doubtfully(Session& session) { strike_compared(session, true); }
+void strike_compared(SessionState& session, bool differ) { session.apply({.kind = Kind::blow, .differ = differ}); }
+void strike_doubtfully(SessionState& session) { strike_compared(session, true); }
 
 // The last blow of a point differs from the others. Four blows can show which one is wrong.
-TEST(Session, StaysAtAPointInDoubt) {
-  Session session({.points = {0, 1, 2}, .hits = 3});
+TEST(SessionState, StaysAtAPointInDoubt) {
+  SessionState session({.points = {0, 1, 2}, .hits = 3});
   strike(session, 2);
   strike_doubtfully(session);
   EXPECT_EQ(session.point(), 0);
@@ -72,8 +72,8 @@ TEST(Session, StaysAtAPointInDoubt) {
 }
 
 // The first blow of a point was the wrong one: the next blows differ from it, until four show which one is the outlier.
-TEST(Session, StaysUntilFourBlowsTellThatTheFirstWasWrong) {
-  Session session({.points = {0, 1}, .hits = 2});
+TEST(SessionState, StaysUntilFourBlowsTellThatTheFirstWasWrong) {
+  SessionState session({.points = {0, 1}, .hits = 2});
   strike(session, 1);
   strike_doubtfully(session);
   strike_doubtfully(session);
@@ -85,8 +85,8 @@ TEST(Session, StaysUntilFourBlowsTellThatTheFirstWasWrong) {
 }
 
 // Two blows at one place and two at another: one is rejected as an outlier, and the rest still differ.
-TEST(Session, KeepsTheDoubtWhereTheRestDiffers) {
-  Session session({.points = {0, 1}, .hits = 3});
+TEST(SessionState, KeepsTheDoubtWhereTheRestDiffers) {
+  SessionState session({.points = {0, 1}, .hits = 3});
   strike(session, 1);
   strike_doubtfully(session);
   strike_doubtfully(session);
@@ -95,8 +95,8 @@ TEST(Session, KeepsTheDoubtWhereTheRestDiffers) {
   EXPECT_EQ(session.point(), 0);
 }
 
-TEST(Session, KeepsAPointInDoubtOpen) {
-  Session session({.points = {0, 1}, .hits = 2});
+TEST(SessionState, KeepsAPointInDoubtOpen) {
+  SessionState session({.points = {0, 1}, .hits = 2});
   strike(session, 1);
   strike_doubtfully(session);
   EXPECT_TRUE(session.needs_blows_to_compare());
@@ -111,8 +111,8 @@ TEST(Session, KeepsAPointInDoubtOpen) {
 }
 
 // If the blows differ at the majority of points, the cause is noise.
-TEST(Session, DoesNotStayWhereNoiseMakesBlowsDiffer) {
-  Session session({.points = {0, 1, 2, 3}, .hits = 2});
+TEST(SessionState, DoesNotStayWhereNoiseMakesBlowsDiffer) {
+  SessionState session({.points = {0, 1, 2, 3}, .hits = 2});
   for (int point = 0; point < 3; ++point) {
     EXPECT_EQ(session.point(), point);
     strike(session, 1);
@@ -124,8 +124,8 @@ TEST(Session, DoesNotStayWhereNoiseMakesBlowsDiffer) {
   EXPECT_TRUE(session.finished());
 }
 
-TEST(Session, SkipsToAPointThatLacksBlows) {
-  Session session({.points = {0, 1, 2}, .hits = 1});
+TEST(SessionState, SkipsToAPointThatLacksBlows) {
+  SessionState session({.points = {0, 1, 2}, .hits = 1});
   strike(session, 1);
   session.apply({.kind = Kind::go_to, .point = 2});
   session.apply({.kind = Kind::next});
@@ -135,8 +135,8 @@ TEST(Session, SkipsToAPointThatLacksBlows) {
   EXPECT_EQ(session.point(), 2);
 }
 
-TEST(Session, UndoesTheLastAcceptedBlowAndRepeatsPoints) {
-  Session session({.points = {0, 1}, .hits = 2});
+TEST(SessionState, UndoesTheLastAcceptedBlowAndRepeatsPoints) {
+  SessionState session({.points = {0, 1}, .hits = 2});
   strike(session, 2);
   EXPECT_EQ(session.point(), 1);
   session.apply({.kind = Kind::undo});
@@ -154,8 +154,8 @@ TEST(Session, UndoesTheLastAcceptedBlowAndRepeatsPoints) {
   EXPECT_FALSE(session.complete());
 }
 
-TEST(Session, CountsAnOutlierNoLonger) {
-  Session session({.hits = 3});
+TEST(SessionState, CountsAnOutlierNoLonger) {
+  SessionState session({.hits = 3});
   strike(session, 2);
   session.apply({.kind = Kind::regraded, .mark = RowMark::outlier, .row = 0});
   EXPECT_EQ(session.accepted(), 1U);
@@ -163,8 +163,8 @@ TEST(Session, CountsAnOutlierNoLonger) {
   EXPECT_TRUE(session.finished());
 }
 
-TEST(Session, AcceptsFewerBlowsThatSuffice) {
-  Session session({.points = {0, 1}, .hits = 50});
+TEST(SessionState, AcceptsFewerBlowsThatSuffice) {
+  SessionState session({.points = {0, 1}, .hits = 50});
   strike(session, 3);
   session.apply({.kind = Kind::enough});
   EXPECT_EQ(session.point(), 1);
@@ -172,8 +172,8 @@ TEST(Session, AcceptsFewerBlowsThatSuffice) {
   EXPECT_FALSE(session.finished());
 }
 
-TEST(Session, PausesAndGoesOn) {
-  Session session({});
+TEST(SessionState, PausesAndGoesOn) {
+  SessionState session({});
   session.apply({.kind = Kind::pause});
   EXPECT_TRUE(session.paused());
   session.apply({.kind = Kind::pause});

@@ -16,7 +16,7 @@ using Kind = pipeline::SessionEvent::Kind;
 constexpr const char* kKeys = "  [space pause, u undo, r redo, n next, g go to, q finish]";
 constexpr const char* kShortKeys = "  [space u r n g q]";
 
-std::string command_text(Kind kind, std::size_t undone, const pipeline::Session& session) {
+std::string command_text(Kind kind, std::size_t undone, const pipeline::SessionState& session) {
   const std::string place =
       pipeline::place_text(session.plan(), session.point(), session.accepted_at(session.point()) + 1);
   switch (kind) {

@@ -58,7 +58,7 @@ std::string missing_point_text(std::size_t number, const std::vector<int>& point
 }
 
 void press(const PressedKey& key, pipeline::Guide& guide, RecordScreen& screen) {
-  const pipeline::Session& session = guide.session();
+  const pipeline::SessionState& session = guide.session();
   // Ten digits may exceed an int; no point has its largest value (acquire::kMaxPointNumber).
   const auto number = static_cast<int>(std::min<std::size_t>(key.number, std::numeric_limits<int>::max()));
   switch (key.key) {
@@ -197,7 +197,7 @@ Outcome record_file(const RecordFlags& flags, const InterruptedSession& interrup
   if (resumed) take_interrupted(interrupted, flags, guide, screen);
   Ending ending = record_or_name_resume(flags, *stream, guide, terminal, screen);
   if (resumed) ending.missing_frames += missing_frames(*interrupted.journal);
-  const pipeline::Session& session = guide.session();
+  const pipeline::SessionState& session = guide.session();
   if (ending.early && ending.device == StreamEnd::finished)
     screen.note("the device ended before every point had its blows");
   stream.reset();

@@ -7,24 +7,13 @@
 #include "acquire/record/sensor_numbers.hpp"
 #include "acquire/record/stated_date.hpp"
 #include "acquire/record/trace_faces.hpp"
-#include "core/error.hpp"
+#include "acquire/record/writable_record.hpp"
 #include "core/units.hpp"
 
 namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kBlockSamples = std::size_t{1} << 17;  // 1 MiB at a time
-
-void check_writable(const std::string& path, const Record& record) {
-  if (record.rows.empty()) throw InputError("no hits to write", path, "keep at least one");
-  if (record.accel.empty()) throw InputError("no acceleration to write", path, "keep at least one channel");
-  for (std::size_t row = 1; row < record.rows.size(); ++row) {
-    if (record.rows[row].samples == record.rows[0].samples) continue;
-    throw InputError("hits differ in length: " + std::to_string(record.rows[0].samples) + " and " +
-                         std::to_string(record.rows[row].samples) + " samples",
-                     path, "write them as CSV, or each length to a file of its own");
-  }
-}
 
 // Copies samples block by block: read(first, out), then write(first, values).
 template <class Read, class Write>
@@ -124,7 +113,7 @@ void write_trace_faces(hdf5::OutputHdf5& out, const Record& record) {
 }  // namespace
 
 void write_hdf5(const std::string& path, const Record& record, bool force) {
-  check_writable(path, record);
+  require_equal_lengths(record, path);
   hdf5::OutputHdf5 out(path, force);
   const bool one_row = record.continuous && record.rows.size() == 1;
   write_samples(out, record, one_row);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "acquire/formats/mat/mat_bytes.hpp"
 #include "acquire/formats/mat/mat_file.hpp"
 
 namespace percuss::acquire {
@@ -12,11 +13,11 @@ namespace {
 // the first variable's name. The decimal digits of the type are M (byte order, 0 or 1), O (0), P (precision, 0 to 5)
 // and T (kind of matrix, 0 to 2).
 bool is_mat4(std::string_view head) {
-  std::array<std::uint32_t, 5> words{};
+  std::array<std::uint32_t, level4::kTag_words> words{};
   if (head.size() < sizeof words) return false;
   std::memcpy(words.data(), head.data(), sizeof words);
-  const bool swapped = words[0] >= 0x1000000U || words[4] >= 0x1000000U;
-  for (std::uint32_t& word : words) word = swapped ? __builtin_bswap32(word) : word;
+  const bool swapped = level4::is_swapped(words);
+  for (std::uint32_t& word : words) word = native_word(word, swapped);
   const auto [type, rows, columns, complex, name] = words;
   const bool known_type = (type < 100 || (type >= 1000 && type < 1100)) && type % 10 <= 2 && type % 100 / 10 <= 5;
   const std::size_t name_end = sizeof words + name - 1;

@@ -1,17 +1,13 @@
 #include "acquire/formats/mat/mat_stored_numbers.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
-#include <filesystem>
 #include <optional>
-#include <span>
 
+#include "acquire/formats/mat/mat_bytes.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
 
@@ -19,9 +15,7 @@ namespace percuss::acquire {
 namespace level5 {
 namespace {
 
-constexpr std::uint64_t kHeader_bytes = 128, kVersion_at = 124, kTag_bytes = 8;
-constexpr std::uint32_t kOtherByteOrder = 0x494DU;  // the letters IM in the other byte order
-constexpr std::uint32_t kInt32 = 5, kUint32 = 6, kMatrix = 14, kCompressed = 15;
+constexpr std::uint32_t kInt32 = 5, kUint32 = 6;
 constexpr std::uint32_t kCell = 1, kStructure = 2, kDouble = 6, kUint64 = 15, kComplexFlag = 0x800;
 constexpr std::size_t kMaxDepth = 16, kMaxDimensions = 64;  // the reader refuses or skips more
 constexpr std::uint64_t kMaxCount = std::uint64_t{1} << 48U;
@@ -34,33 +28,10 @@ const char* const kTooLong = "the content of a variable exceeds its stated lengt
   throw InputError(problem, path, "is it damaged? Save it again");
 }
 
-class File {
- public:
-  explicit File(const std::string& path)
-      : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), size_(std::filesystem::file_size(path)) {}
-  ~File() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-
-  const std::string& path() const { return path_; }
-  std::uint64_t size() const { return size_; }
-  void read(std::uint64_t at, void* out, std::size_t bytes) const {
-    if (::pread(descriptor_, out, bytes, static_cast<off_t>(at)) != static_cast<ssize_t>(bytes))
-      refuse("reading failed", path_);
-  }
-
- private:
-  const std::string& path_;
-  int descriptor_;
-  std::uint64_t size_;
-};
-
 // The bytes of a part of the file, as they are or decompressed.
 class Bytes {
  public:
-  Bytes(const File& file, std::uint64_t at, std::uint64_t bytes, bool compressed)
+  Bytes(const MatBytes& file, std::uint64_t at, std::uint64_t bytes, bool compressed)
       : file_(file), at_(at), left_(bytes), compressed_(compressed) {
     if (compressed_ && inflateInit(&stream_) != Z_OK) refuse("decompression failed", file_.path());
   }
@@ -111,7 +82,7 @@ class Bytes {
     }
   }
 
-  const File& file_;
+  const MatBytes& file_;
   std::uint64_t at_, left_, position_ = 0;
   bool compressed_;
   z_stream stream_{};
@@ -147,7 +118,7 @@ class Variable {
   std::uint32_t word() {
     std::uint32_t out = 0;
     bytes_.take(&out, sizeof out);
-    return swapped_ ? __builtin_bswap32(out) : out;
+    return native_word(out, swapped_);
   }
 
   // The last element may lack its padding.
@@ -218,15 +189,13 @@ class Variable {
 };
 
 void check_file(const std::string& path) {
-  const File file(path);
-  std::array<std::uint32_t, 2> tag{};
-  file.read(kVersion_at, tag.data(), sizeof tag[0]);
-  const bool swapped = tag[0] >> 16U == kOtherByteOrder;
+  const MatBytes file(path);
+  const bool swapped = is_swapped(file);
   std::uint64_t left_bytes = claim_limit_bytes(file.size());  // of decompressed variables
   for (std::uint64_t at = kHeader_bytes, length = 0; at + kTag_bytes <= file.size(); at += kTag_bytes + length) {
-    file.read(at, tag.data(), sizeof tag);
-    const std::uint32_t type = swapped ? __builtin_bswap32(tag[0]) : tag[0];
-    length = swapped ? __builtin_bswap32(tag[1]) : tag[1];
+    const std::array<std::uint32_t, kTag_words> tag = file.words<kTag_words>(at, swapped);
+    const std::uint32_t type = tag[0];
+    length = tag[1];
     Bytes bytes(file, at + kTag_bytes, length, type == kCompressed);
     Variable variable(bytes, swapped, path);
     if (type == kMatrix) variable.check(length, 0);

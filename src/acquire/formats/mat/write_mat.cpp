@@ -5,22 +5,13 @@
 #include "acquire/formats/mat/mat_output.hpp"
 #include "acquire/record/sensor_numbers.hpp"
 #include "acquire/record/trace_faces.hpp"
-#include "core/error.hpp"
+#include "acquire/record/writable_record.hpp"
 #include "core/units.hpp"
 
 namespace percuss::acquire {
 namespace {
 
 constexpr std::size_t kNumbersAtOnce = std::size_t{1} << 19U;  // 4 MiB of samples, transposed so that hits run fastest
-
-void check_rows(const std::string& path, const Record& record) {
-  if (record.rows.empty() || record.accel.empty())
-    throw InputError("nothing to write", path, "keep a hit and a channel");
-  for (const RowInfo& row : record.rows) {
-    if (row.samples == record.rows.front().samples) continue;
-    throw InputError("hits differ in length", path, "write them as CSV or UFF, or each length to a file of its own");
-  }
-}
 
 // Appends a matrix [series, samples] column by column; read(s, first, out) reads samples of series s.
 template <class Read>
@@ -82,7 +73,7 @@ void write_trace_faces(MatOutput& out, const Record& record) {
 }  // namespace
 
 void write_mat(const std::string& path, const Record& record, bool force) {
-  check_rows(path, record);
+  require_equal_lengths(record, path);
   const std::size_t rows = record.rows.size(), channels = record.accel.size(), samples = record.rows[0].samples;
   MatOutput out(path, force);
   out.number("fs", record.fs_Hz);

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <set>
 
-#include "core/error.hpp"
+#include "acquire/record/writable_record.hpp"
 #include "core/units.hpp"
 
 namespace percuss::acquire {
@@ -111,8 +111,7 @@ std::string uff_node_lines(const std::vector<std::vector<double>>& geometry, int
 }
 
 void write_uff(const std::string& path, const Record& record, bool force, UffData data) {
-  if (record.rows.empty() || record.accel.empty())
-    throw InputError("nothing to write", path, "keep a hit and a channel");
+  require_contents(record, path);
   const std::set<int> points = record.points();
   const int offset = uff_node_offset(*points.begin());
   UffOutput out(path, force, data);

@@ -1,0 +1,120 @@
+// Modes of the test, their types, and the modes of single hits.
+#include <algorithm>
+#include <optional>
+
+#include "core/parallel/parallel.hpp"
+#include "pipeline/analysis.hpp"
+#include "pipeline/stages/cancelled_tones.hpp"
+#include "pipeline/stages/hidden_modes.hpp"
+#include "pipeline/stages/hit_scatter.hpp"
+#include "pipeline/stages/mains_modes.hpp"
+#include "pipeline/stages/single_hits.hpp"
+#include "pipeline/stages/stated_noise.hpp"
+
+namespace percuss::pipeline {
+
+// The number of modes that the options state limits the modes within the band, not the modes of its margin.
+identify::IdentifyOptions Analysis::all_modes() const {
+  identify::IdentifyOptions all = options_.modes;
+  all.modes.reset();
+  return all;
+}
+
+const identify::FrfDataset& Analysis::fitted_frfs() const {
+  return within_budget(budget_, fitted_frfs_, [&] {
+    const TestSpectra from = spectra();
+    if (first_modes_) return std::move(first_modes_->frfs);
+    const bool averaged = frfs_.ready() && options_.estimator == frf::Estimator::h1;
+    const ThreadLimit limit(options_.threads);
+    return source_->dataset(from, accepted_hits(from.hits), averaged ? &frfs() : nullptr);
+  });
+}
+
+const std::vector<identify::Mode>& Analysis::modes() const {
+  return within_budget(budget_, modes_, [&] {
+    const identify::FrfDataset& set = fitted_frfs();
+    const TestSpectra from = spectra();
+    const std::vector<Tone>& tones = from.responses.tones;
+    const bool hums =
+        std::any_of(tones.begin(), tones.end(), [](const Tone& tone) { return may_be_mains(tone.freq_Hz); });
+    const ThreadLimit limit(options_.threads);
+    return trace_.run("modes", [&] {
+      const identify::IdentifyOptions all = all_modes();
+      std::vector<identify::Mode> found =
+          first_modes_ ? std::move(first_modes_->modes) : identify::identify_modes(set, all);
+      if (const acquire::FrfRecord* given = given_frfs()) widen_to_stated_noise(*given, set, found);
+      std::optional<identify::HitFrfs> built;
+      const auto hits = [&]() -> const identify::HitFrfs& {
+        if (!built) built = single_hits(set, from, comparable_hits(from));
+        return *built;
+      };
+      HiddenModes hidden;
+      const auto search = [&] {
+        hidden = may_hide_modes(set, from, all, found) ? add_hidden_modes(found, tones, set, hits, all.effort)
+                                                       : HiddenModes{};
+      };
+      search();
+      add_scatter_between_hits(set, from, hits, options_.modes, search, found);
+      if (!hidden.wandering.empty()) refit_modes_near_tones(found, hidden.wandering, set, hits(), all.effort);
+      if (hidden.wandering.empty() && !hums) searched_poles_ = hidden.unmodelled;
+      if (hums) remove_mains_modes(found, tones, set, hits());
+      add_ringing_std(earlier_ringing(), set, from, found);
+      BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
+      margin_modes_ = std::move(split.below);
+      if (options_.modes.modes && *options_.modes.modes < split.within.size()) {
+        band_modes_ = split.within;
+        identify::keep_clearest(split.within, *options_.modes.modes);
+      }
+      return std::move(split.within);
+    });
+  });
+}
+
+const std::vector<identify::ModeClassification>& Analysis::types() const {
+  return within_budget(budget_, types_, [&] {
+    const std::vector<identify::Mode>& found = modes();
+    const identify::FrfDataset& set = fitted_frfs();
+    return trace_.run("classes", [&] {
+      if (band_modes_.empty()) return classify_modes(found, set, record().accel, options_.classes);
+      return classifications_of_part(classify_modes(band_modes_, set, record().accel, options_.classes), band_modes_,
+                                     found);
+    });
+  });
+}
+
+bool Analysis::modes_are_complete() const {
+  modes();
+  return options_.modes.start_Hz.empty() && band_modes_.empty();
+}
+
+const std::vector<identify::ModeClassification>& Analysis::classifications() const {
+  return within_budget(budget_, classifications_, [&] {
+    std::vector<identify::ModeClassification> out = types();
+    const identify::LowerOrders& lower = lower_orders();
+    for (identify::ModeClassification& mode : out) {
+      if (!options_.modes.start_Hz.empty()) mode.order = 0;  // lower modes need not be among the stated ones
+      if (mode.order > 0) mode.order += mode.type == identify::ModeType::hoop ? lower.hoop : lower.bending;
+    }
+    return out;
+  });
+}
+
+const std::vector<HitMode>& Analysis::modes_per_hit() const {
+  return within_budget(budget_, modes_per_hit_, [&] {
+    const std::vector<identify::Mode>& found = modes();
+    const TestSpectra from = spectra();
+    const auto dataset_of = [&](std::size_t hit) { return source_->dataset(from, {hit}, nullptr); };
+    std::vector<HitOfPoint> used;
+    for (const std::size_t h : accepted_hits(from.hits)) used.push_back({.hit = h, .point = from.hits[h].point});
+    return trace_.run("modes per hit", [&] { return modes_of_hits(found, used, dataset_of, options_.modes.effort); });
+  });
+}
+
+const identify::Stabilisation& Analysis::stabilisation() const {
+  return within_budget(budget_, stabilisation_, [&] {
+    const identify::FrfDataset& set = fitted_frfs();
+    return trace_.run("stabilisation", [&] { return stabilisation_in_band(set, band_Hz()); });
+  });
+}
+
+}  // namespace percuss::pipeline

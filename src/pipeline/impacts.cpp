@@ -1,0 +1,73 @@
+#include "pipeline/impacts.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "acquire/hits/finding.hpp"
+#include "acquire/hits/time_selection.hpp"
+#include "metrics/deflection/deflection.hpp"
+#include "pipeline/hits/hit_grading.hpp"
+#include "pipeline/hits/motion_before.hpp"
+#include "pipeline/impact_speed.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+// Fewest samples before the onset that allow an estimate of the bias despite the ringing of the filter.
+constexpr std::size_t kMinRestSamples = 16;
+// The rest before an impact gives the bias of the acceleration, whose double integral grows with the square of the
+// time. A longer rest may hold a drift that is no straight line.
+constexpr double kRest_s = 0.1;
+
+}  // namespace
+
+bool is_usable_impact(const AnalysedHit& hit, const AnalysisOptions& options, std::size_t index) {
+  if (names_hit(options.reject_hits, options.accept_hits, index)) return false;
+  return names_hit(options.accept_hits, options.reject_hits, index) ||
+         !acquire::has_finding(hit.hit.findings, acquire::FindingCode::no_pulse);
+}
+
+std::size_t impacts_without_pulse(const std::vector<AnalysedHit>& impacts, const AnalysisOptions& options) {
+  std::size_t count = 0;
+  for (std::size_t h = 0; h < impacts.size(); ++h) {
+    if (!is_usable_impact(impacts[h], options, h) && !names_hit(options.reject_hits, options.accept_hits, h)) ++count;
+  }
+  return count;
+}
+
+std::vector<AnalysedHit> impacts_without_force(const acquire::Record& record) {
+  std::vector<AnalysedHit> impacts;
+  impacts.reserve(record.rows.size());
+  for (std::size_t row = 0; row < record.rows.size(); ++row) {
+    std::vector<double> accel(record.rows[row].samples);
+    double onset_s = static_cast<double>(accel.size()) / record.fs_Hz;
+    for (std::size_t c = 0; c < record.accel.size(); ++c) {
+      record.read_accel_mps2(row, c, 0, accel);
+      onset_s = std::min(onset_s, metrics::motion_onset_s(accel, record.fs_Hz));
+    }
+    AnalysedHit impact{.point = record.rows[row].point, .accepted = true, .responses = {}};
+    impact.hit.row = row;
+    impact.hit.samples = accel.size();
+    impact.hit.onset_s = onset_s;
+    impacts.push_back(std::move(impact));
+  }
+  return impacts;
+}
+
+std::size_t first_sample_of_impact(const acquire::Record& record, const acquire::HitOptions& options,
+                                   const std::vector<AnalysedHit>& impacts, std::size_t h) {
+  const acquire::Hit& hit = impacts[h].hit;
+  if (options.pretrigger_s) return hit.first;
+  const auto rest = static_cast<std::size_t>(kRest_s * record.fs_Hz);
+  const std::size_t earliest =
+      std::max(last_blow_before(impacts, h).end, acquire::select_time_range(record, hit.row, options).first);
+  return std::min(hit.first, std::max(earliest, hit.gate_first - std::min(hit.gate_first, rest)));
+}
+
+bool rest_recorded(double fs_Hz, const std::vector<AnalysedHit>& impacts, const std::vector<std::size_t>& hits) {
+  return std::all_of(hits.begin(), hits.end(), [&](std::size_t h) {
+    return onset_from_first_sample_s(impacts[h].hit, fs_Hz) * fs_Hz >= static_cast<double>(kMinRestSamples);
+  });
+}
+
+}  // namespace percuss::pipeline

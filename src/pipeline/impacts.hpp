@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "acquire/record/record.hpp"
+#include "pipeline/analysis_options.hpp"
+#include "pipeline/hits/analysed_hit.hpp"
+
+namespace percuss::pipeline {
+
+/// Whether an impact has a deflection: it has a pulse, or the user accepts it; the user does not reject it. `index`: of
+/// the hit.
+bool is_usable_impact(const AnalysedHit& hit, const AnalysisOptions& options, std::size_t index);
+
+/// The number of impacts that are left out although the user did not reject them.
+std::size_t impacts_without_pulse(const std::vector<AnalysedHit>& impacts, const AnalysisOptions& options);
+
+/// The impacts of a record without a force: each row is one. It begins when the first accelerometer begins to move.
+std::vector<AnalysedHit> impacts_without_force(const acquire::Record& record);
+
+/// The first sample of the signals of impact `h`: earlier than the hit's where the structure rests before it and the
+/// user states no pre-trigger.
+std::size_t first_sample_of_impact(const acquire::Record& record, const acquire::HitOptions& options,
+                                   const std::vector<AnalysedHit>& impacts, std::size_t h);
+
+/// Whether enough rest precedes each of these `hits` of `impacts` to estimate the bias of the acceleration.
+bool rest_recorded(double fs_Hz, const std::vector<AnalysedHit>& impacts, const std::vector<std::size_t>& hits);
+
+}  // namespace percuss::pipeline
