@@ -89,9 +89,16 @@ TEST(MetricsCommand, WritesFilesAndATable) {
 }
 
 TEST(MetricsCommand, ReportsThatNoMetricFollows) {
-  const auto outcome = run_percuss({"metrics"});
+  const auto outcome = run_percuss({"metrics", "--length-in", "33"});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.out, HasSubstr("no metric follows from these readings"));
+}
+
+TEST(MetricsCommand, NeedsAReading) {
+  const auto outcome = run_percuss({"metrics"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, HasSubstr("no reading is given"));
 }
 
 TEST(MetricsCommand, NamesTheInvalidOption) {

@@ -137,6 +137,10 @@ int metrics(const MetricsFlags& flags) {
   }
   check_outputs(flags.output, {".json", ".csv", ".html"});
   if (!flags.table.empty()) return metrics_of_table(flags);
+  if (static_cast<const metrics::LabReadings&>(flags) == metrics::LabReadings{}) {
+    throw UsageError("no reading is given",
+                     "give what was measured, such as length and weight, or a table of readings");
+  }
   const auto label = bat_label(flags.bat_id, flags.bat);
   const report::NamedMetrics one = named_metrics(flags);
   return show_report(report::metrics_report(one.readings, one.profile, label), flags.output);

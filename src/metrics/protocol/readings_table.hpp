@@ -12,6 +12,7 @@ struct LabReadings {
   std::optional<double> length_in, weight_oz, cg_in, moi_ozin2, ball_g, z_in, in_mph, out_mph, besr, bbcor, swing_mph;
   std::optional<double> handle_diameter_in;
   std::vector<double> diameters_in, periods_s, crossings_s;
+  bool operator==(const LabReadings&) const = default;
 };
 
 /// A row of a table of readings.
