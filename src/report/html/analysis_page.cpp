@@ -135,7 +135,12 @@ std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions&
   const std::string summary = modes || !possible ? summary_sentence(analysis, classifications)
                               : frfs             ? frf_sentence(analysis)
                                                  : hits_sentence(analysis);
-  std::string found = "<p class=\"verdict\">" + html_escape(summary) + "</p>\n";
+  const bool fitted = possible && modes;
+  std::set<PagePart> parts = with_hits ? parts_of_hits() : std::set<PagePart>();
+  if (fitted) parts.insert({PagePart::fit, PagePart::stabilisation});
+  const PageWarnings warnings(analysis.warnings(), with_hits ? analysis.hits() : std::vector<pipeline::AnalysedHit>(),
+                              parts);
+  std::string found = "<p class=\"verdict\">" + html_escape(summary) + "</p>\n" + warnings.caution();
   if (!classifications.empty()) found += modes_table(analysis, wants(ReportSection::classes)).html();
   if (wants(ReportSection::classes)) found += quoted_modes_key(classifications);
   const std::string title = title_of(analysis.record().files);
@@ -143,11 +148,6 @@ std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions&
                                  with_file_facts(provenance.title_block, analysis)) +
                      "<main>\n";
   body += page_section(modes ? "modes" : "result", modes ? "Modes" : "Result", found);
-  const bool fitted = possible && modes;
-  std::set<PagePart> parts = with_hits ? parts_of_hits() : std::set<PagePart>();
-  if (fitted) parts.insert({PagePart::fit, PagePart::stabilisation});
-  const PageWarnings warnings(analysis.warnings(), with_hits ? analysis.hits() : std::vector<pipeline::AnalysedHit>(),
-                              parts);
   body += warnings.section();
   if (options.comparison != nullptr) body += comparison_section(*options.comparison);
   if (frfs) body += frf_section(summary);

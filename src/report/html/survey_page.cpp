@@ -37,7 +37,7 @@ std::string survey_page(const pipeline::Survey& survey, const Provenance& proven
   if (!classifications.empty()) parts.insert(PagePart::shapes);
   const PageWarnings warnings(survey.warnings(), analysis.hits(), parts);
   const std::string summary = summary_sentence(analysis, classifications);
-  std::string found = "<p class=\"verdict\">" + html_escape(summary) + "</p>\n", shapes;
+  std::string found = "<p class=\"verdict\">" + html_escape(summary) + "</p>\n" + warnings.caution(), shapes;
   std::string data = "[" + analysis_plot_data(analysis, classifications);
   if (!classifications.empty()) {
     found += survey_modes_table(survey).html() + quoted_modes_key(classifications);

@@ -169,6 +169,15 @@ std::vector<pipeline::Warning> PageWarnings::of(PagePart part) const {
   return out;
 }
 
+std::string PageWarnings::caution() const {
+  const bool wrong = std::any_of(statements_.begin(), statements_.end(), [](const pipeline::Warning& one) {
+    return one.severity == Severity::reject && !concerns_the_structure(one.code);
+  });
+  return wrong ? "<p class=\"verdict\">Some of these results are wrong; <a href=\"#trust\">the reason</a> is stated "
+                 "below.</p>\n"
+               : "";
+}
+
 std::string PageWarnings::beside(PagePart part) const { return list_html(of(part), "trust beside"); }
 
 std::string PageWarnings::section() const {

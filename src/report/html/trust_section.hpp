@@ -24,6 +24,8 @@ class PageWarnings {
                std::set<PagePart> shown);
   /// The section "How far can this test be trusted?": its own statements, and how many stand beside which part.
   std::string section() const;
+  /// A sentence for the head of the page where results are wrong; else nothing.
+  std::string caution() const;
   /// The statements beside a part, or nothing.
   std::string beside(PagePart part) const;
 

@@ -43,6 +43,14 @@ TEST(TrustSection, KeepsWrongResultsOnTop) {
   EXPECT_EQ(warnings.beside(PagePart::response), "");
 }
 
+// The head of a page states modes and their types: not without reserve where they are wrong.
+TEST(TrustSection, CautionsTheHeadOfThePageWhereResultsAreWrong) {
+  EXPECT_THAT(PageWarnings({{"reversed", "accel 2"}}, {}, {}).caution(),
+              HasSubstr("Some of these results are wrong; <a href=\"#trust\">the reason</a>"));
+  EXPECT_EQ(PageWarnings({{"frac", "of the fit"}, {"double_peak", "split"}}, {}, {}).caution(), "");
+  EXPECT_EQ(PageWarnings({}, {}, {}).caution(), "");
+}
+
 TEST(TrustSection, SaysThatNothingWasFound) {
   EXPECT_THAT(PageWarnings({}, {}, {}).section(), HasSubstr("Nothing was found that puts"));
 }
