@@ -7,8 +7,8 @@
 namespace percuss::acquire {
 
 void require_contents(const Record& record, const std::string& path) {
-  if (record.rows.empty() || record.accel.empty())
-    throw InputError("nothing to write", path, "keep a hit and a channel");
+  if (record.rows.empty()) throw InputError("no hits to write", path, "keep at least one");
+  if (record.accel.empty()) throw InputError("no acceleration to write", path, "keep at least one channel");
 }
 
 void require_equal_lengths(const Record& record, const std::string& path) {

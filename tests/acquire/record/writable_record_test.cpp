@@ -21,12 +21,13 @@ Record with_rows(const std::vector<std::size_t>& samples) {
 }
 
 TEST(WritableRecord, HasAHitAndAChannel) {
+  const Record empty = with_rows({});
   Record silent = with_rows({100});
   silent.accel.clear();
-  for (const Record& record : {with_rows({}), silent}) {
-    EXPECT_THAT(input_error_of([&] { require_contents(record, "t.mat"); }), HasSubstr("nothing to write (t.mat)"));
-    EXPECT_THAT(input_error_of([&] { require_equal_lengths(record, "t.mat"); }), HasSubstr("nothing to write"));
-  }
+  EXPECT_THAT(input_error_of([&] { require_contents(empty, "t.uff"); }), HasSubstr("no hits to write (t.uff)"));
+  EXPECT_THAT(input_error_of([&] { require_contents(silent, "t.uff"); }),
+              HasSubstr("no acceleration to write (t.uff)"));
+  EXPECT_THAT(input_error_of([&] { require_equal_lengths(empty, "t.mat"); }), HasSubstr("no hits to write"));
   EXPECT_NO_THROW(require_contents(with_rows({100, 99}), "t.uff"));
 }
 
