@@ -68,7 +68,7 @@ TEST(RateOfTimeStamps, AcceptsRepeatedStampsOfARateAboveOneSamplePerUnit) {
 
 TEST(RateOfTimeStamps, RejectsRepeatedStampsThatRoundingDoesNotExplain) {
   std::string problem;
-  for (const std::size_t repeated : {1, 8}) {
+  for (const std::size_t repeated : {1U, 8U}) {
     auto t = rounded_stamps(1e4, 20000, 1e-4);
     for (std::size_t i = 0; i < repeated; ++i) {
       const auto at = t.begin() + static_cast<std::ptrdiff_t>(100 + 41 * i * i);
@@ -77,7 +77,7 @@ TEST(RateOfTimeStamps, RejectsRepeatedStampsThatRoundingDoesNotExplain) {
     EXPECT_FALSE(rate_of(t, 1e-4, &problem)) << repeated;
     EXPECT_THAT(problem, HasSubstr("does not rise"));
   }
-  for (const std::size_t lost : {1, 777, 19998}) {
+  for (const std::size_t lost : {1U, 777U, 19998U}) {
     auto t = rounded_stamps(10240, 20000, 1e-4);
     t.erase(t.begin() + static_cast<std::ptrdiff_t>(lost));
     EXPECT_FALSE(rate_of(t, 1e-4, &problem)) << lost;
