@@ -102,7 +102,7 @@ TEST(FrequencyLines, AcceptsSmallOffsetsThatNoRoundingExplains) {
 }
 
 TEST(FrequencyLines, RefusesAMissingLineAmongRoundedFrequencies) {
-  for (const std::size_t lost : {1, 400, 798}) {
+  for (const std::size_t lost : {1U, 400U, 798U}) {
     auto numbers = written(1.25, 0, 800, "{:.1f}");
     numbers.erase(numbers.begin() + static_cast<std::ptrdiff_t>(lost));
     EXPECT_THAT(input_error_of([&] { frequency_lines(numbers, 1, "x"); }), HasSubstr("not a multiple")) << lost;
