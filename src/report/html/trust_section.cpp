@@ -34,11 +34,13 @@ const char* label_of(const pipeline::Warning& warning) {
   return "";
 }
 
-// The message without the remedy that ends it.
+// The message without the remedy that ends it, as a sentence.
 std::string consequence_of(const pipeline::Warning& warning) {
   const std::string end = "; " + warning.remedy;
   if (warning.remedy.empty() || !warning.message.ends_with(end)) return warning.message;
-  return warning.message.substr(0, warning.message.size() - end.size());
+  std::string consequence = warning.message.substr(0, warning.message.size() - end.size());
+  if (!consequence.ends_with('.') && !consequence.ends_with('?')) consequence += '.';
+  return consequence;
 }
 
 std::string statement_html(const pipeline::Warning& warning) {

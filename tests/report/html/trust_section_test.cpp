@@ -14,7 +14,7 @@ TEST(TrustSection, StatesConsequenceAndRemedyOnceEach) {
       {});
   const std::string html = warnings.section();
   EXPECT_THAT(html, HasSubstr("How far can this test be trusted?"));
-  EXPECT_THAT(html, HasSubstr("<li class=\"warn\"><b>Results may be off.</b> the modes explain 98 % &lt; 99 % "
+  EXPECT_THAT(html, HasSubstr("<li class=\"warn\"><b>Results may be off.</b> the modes explain 98 % &lt; 99 %. "
                               "<span class=\"remedy\">Remedy: take more hits.</span></li>"));
   EXPECT_LT(html.find("accel 2"), html.find("the modes explain")) << "most serious first";
   EXPECT_EQ(html.find("take more hits"), html.rfind("take more hits"));
