@@ -109,22 +109,20 @@ std::vector<Eigen::MatrixXd> force_phases(const identify::FrfDataset& set, const
 std::optional<ModePhase> phase_of(const identify::Mode& mode, std::size_t channel,
                                   const std::vector<Eigen::RowVectorXd>& of_force) {
   Complex doubled;
-  double energy = 0, noise = 0, weights = 0;
-  std::vector<double> weight_of(of_force.size());  // of the points
+  double energy = 0, noise = 0;
+  std::vector<double> energy_at(of_force.size());  // [points]
   for (const identify::Residue& residue : mode.residues) {
-    if (residue.channel != channel || !(residue.std > 0) || residue.value == Complex()) continue;
-    energy += std::norm(residue.value / residue.std);
+    if (residue.channel != channel || !(residue.std > 0)) continue;
+    const Complex scaled = residue.value / residue.std;
+    doubled += scaled * scaled;
+    energy += std::norm(scaled);
+    energy_at[residue.point] += std::norm(scaled);
     noise += 1;
-    const double own = std::norm(residue.std / residue.value);
-    const double weight = 1 / (own + of_force[residue.point].squaredNorm());
-    doubled += std::polar(weight, 2 * std::arg(residue.value));
-    weights += weight;
-    weight_of[residue.point] += weight;
   }
   if (!(energy > kClearPhase * kClearPhase * noise) || !(std::abs(doubled) > 0)) return std::nullopt;
-  ModePhase out{.freq_Hz = mode.pole.freq_Hz, .phase_rad = 0.5 * std::arg(doubled), .std_rad = 1 / std::sqrt(weights)};
+  ModePhase out{.freq_Hz = mode.pole.freq_Hz, .phase_rad = 0.5 * std::arg(doubled), .std_rad = 1 / std::sqrt(energy)};
   for (std::size_t p = 0; p < of_force.size(); ++p) {
-    for (const double phase : of_force[p]) out.force_rad.push_back(weight_of[p] / weights * phase);
+    for (const double phase : of_force[p]) out.force_rad.push_back(energy_at[p] / energy * phase);
   }
   return out;
 }

@@ -29,8 +29,8 @@ struct ChannelDelay {
 struct ModePhase {
   double freq_Hz = 0;
   double phase_rad = 0, std_rad = 0;
-  // The part of std_rad from the noise of the force: the phase for each of independent standard normal variables, which
-  // are common to all modes. Empty: none.
+  // Errors by the noise of the force, which std_rad does not include: the phase for each of independent standard normal
+  // variables, which are common to all modes. Empty: none.
   std::vector<double> force_rad{};
 };
 
