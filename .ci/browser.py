@@ -17,7 +17,7 @@ from selenium import webdriver
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 
-from browser_fit import check_fit, check_paper_of_fit
+from browser_fit import COLOURED, check_fit, check_paper_of_fit
 
 PERCUSS = os.environ["PERCUSS"]
 failures = 0
@@ -54,15 +54,6 @@ def load(driver, path):
     requests = [m["params"]["request"]["url"] for m in messages if m["method"] == "Network.requestWillBeSent"]
     return console, [url for url in requests if url != path.as_uri()]
 
-
-# The number of coloured pixels of each canvas. Curves are coloured; axes and background are grey or transparent.
-DRAWN = """return [...document.querySelectorAll("canvas")].map((canvas) => {
-  const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
-  let coloured = 0;
-  for (let i = 0; i < pixels.length; i += 4)
-    if (pixels[i + 3] > 128 && Math.max(pixels[i], pixels[i + 1], pixels[i + 2]) - Math.min(pixels[i], pixels[i + 1], pixels[i + 2]) > 40) ++coloured;
-  return coloured;
-});"""
 
 # The lowest contrast of a text with its background, and its place. A transparent background shows the parent's.
 CONTRAST = """
@@ -117,7 +108,7 @@ def check_page(driver, path, canvases=0, charts=0):
     check(not console, f"{name}: no console messages {console}")
     check(not requests, f"{name}: no network requests {requests}")
     for _ in range(20):  # moving shapes pass through rest, where they have no colour
-        coloured = driver.execute_script(DRAWN)
+        coloured = driver.execute_script(COLOURED, "canvas")
         if all(count > 30 for count in coloured):
             break
         time.sleep(0.05)
@@ -165,7 +156,7 @@ def check_zoom(driver, path):
     buttons["Logarithmic"].click()
     time.sleep(0.2)
     kinds = driver.execute_script("return plots.filter((d) => d.plot.scales.x.distr === 3).length")
-    check(kinds == 3 and scales(driver)[0] == scales(driver)[2] and min(driver.execute_script(DRAWN)) > 30, "zoom: on a logarithmic frequency axis")
+    check(kinds == 3 and scales(driver)[0] == scales(driver)[2] and min(driver.execute_script(COLOURED, "canvas")) > 30, "zoom: on a logarithmic frequency axis")
     buttons["Logarithmic"].click()
     time.sleep(0.2)
     buttons["Zoom in"].send_keys("\ue007")  # the Enter key

@@ -8,12 +8,15 @@ from selenium.webdriver.common.keys import Keys
 
 FIT = '[data-plot="fit"]'
 
-# The number of coloured pixels of a canvas.
-INK = """const pixels = arguments[0].getContext("2d").getImageData(0, 0, arguments[0].width, arguments[0].height).data;
-let coloured = 0;
-for (let i = 0; i < pixels.length; i += 4)
-  if (pixels[i + 3] > 128 && Math.max(pixels[i], pixels[i + 1], pixels[i + 2]) - Math.min(pixels[i], pixels[i + 1], pixels[i + 2]) > 40) ++coloured;
-return coloured;"""
+# The number of coloured pixels of each canvas that the selector finds. Curves are coloured; axes and background are grey or
+# transparent.
+COLOURED = """return [...document.querySelectorAll(arguments[0])].map((canvas) => {
+  const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+  let coloured = 0;
+  for (let i = 0; i < pixels.length; i += 4)
+    if (pixels[i + 3] > 128 && Math.max(pixels[i], pixels[i + 1], pixels[i + 2]) - Math.min(pixels[i], pixels[i + 1], pixels[i + 2]) > 40) ++coloured;
+  return coloured;
+});"""
 
 
 def said(driver):
@@ -45,11 +48,10 @@ def check_fit(driver, path, check, load, survey):
     view = chooser(driver, "View")
     view.send_keys(Keys.END)
     time.sleep(0.1)
-    canvas = driver.find_element(By.CSS_SELECTOR, FIT + " canvas.nyquist")
-    check(driver.execute_script(INK, canvas) > 300, f"{path.stem}: fit: Nyquist by the keyboard")
+    check(driver.execute_script(COLOURED, FIT + " canvas.nyquist")[0] > 300, f"{path.stem}: fit: Nyquist by the keyboard")
     chooser(driver, "Range").send_keys(Keys.ARROW_DOWN)
     time.sleep(0.1)
-    check(driver.execute_script(INK, driver.find_element(By.CSS_SELECTOR, FIT + " canvas.nyquist")) > 300, f"{path.stem}: fit: Nyquist of one mode")
+    check(driver.execute_script(COLOURED, FIT + " canvas.nyquist")[0] > 300, f"{path.stem}: fit: Nyquist of one mode")
     view.send_keys(Keys.ARROW_UP)
     time.sleep(0.1)
     check(len(driver.find_elements(By.CSS_SELECTOR, FIT + " .uplot")) == 2, f"{path.stem}: fit: real and imaginary part")

@@ -22,9 +22,6 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES third_party/uplot/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright.uplot)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.json")
-if(EXISTS ${PROJECT_SOURCE_DIR}/fixtures)
-  install(DIRECTORY fixtures DESTINATION ${CMAKE_INSTALL_DATADIR}/percuss)
-endif()
 
 # The package percuss depends on the run-time libraries of the tool, and suggests the packages for programs that link
 # percuss. A build with PERCUSS_PYTHON also makes the package python3-percuss, for every Python 3 of Debian.

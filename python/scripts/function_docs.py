@@ -150,7 +150,8 @@ def docstring(function: Function, command: Command) -> list[str]:
     lines += _section("Raises", _entry("InputError", "", "Data that percuss cannot use.") + _entry("UsageError", "", "Invalid values, and keywords that exclude each other.") + _entry("TypeError", "", "Unknown keywords, and values of another type."))  # fmt: skip
     lines += _section("See Also", [f"{name} : {text}" for name, text in function.see_also])
     page = "performance" if command.name.split()[0] in ("metrics", "certify", "abi", "study") else "theory"
-    source = f"The keywords are the options of `percuss {command.name}`; docs/theory/{page}.md has the equations."
+    equations = "" if command.name == "info" else f"; docs/theory/{page}.md has the equations"
+    source = f"The keywords are the options of `percuss {command.name}`{equations}."
     notes = ([*_filled(function.notes), ""] if function.notes else []) + _filled(
         source if command.name != "read" else "The keywords are the options under Reading of `percuss analyze`."
     )

@@ -26,7 +26,7 @@ const std::vector<std::string>& frf_extensions();
 bool has_known_extension(const std::string& path);
 
 /// Whether the file is a text without numbers, such as a README beside records. False for a file of more than 64 KiB,
-/// which is not read, and for one that cannot be read.
+/// whose content is not examined, and for one that cannot be read.
 bool is_text_without_numbers(const std::string& path);
 
 }  // namespace percuss::acquire

@@ -14,7 +14,7 @@ inline constexpr std::size_t kMaxNamed = 10;
 struct BatchStatus {
   std::size_t shards = 1;
   std::size_t records = 0, bytes = 0;
-  std::vector<std::size_t> missing;         // shards without a part-i.ok, ascending
+  std::vector<std::size_t> missing;         // shards with records and without a part-i.ok, ascending
   std::size_t finished = 0;                 // finished records, also in unfinished shards
   std::size_t failed = 0;                   // records, of finished shards
   std::size_t empty = 0;                    // shards without a record: they need no run

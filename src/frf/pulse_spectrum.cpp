@@ -84,8 +84,8 @@ std::vector<Complex> own_transform(std::span<const double> pulse, std::size_t gr
   return all;
 }
 
-// The lines of the block, interpolated between the lines of the pulse's own transform. `middle`: sample of the pulse
-// that its own transform counts from.
+// The lines of the block, interpolated between the lines of the pulse's own transform. `middle`: the place in the
+// block of the pulse's middle sample, from which its own transform counts.
 PERCUSS_WIDE_LOOPS void interpolate(const std::vector<Complex>& own, const std::vector<double>& weights,
                                     std::size_t steps, std::size_t middle, const LineRange& lines,
                                     std::span<Complex> out) {

@@ -18,8 +18,9 @@ std::size_t impacts_without_pulse(const std::vector<AnalysedHit>& impacts, const
 /// The impacts of a record without a force: each row is one. It begins when the first accelerometer begins to move.
 std::vector<AnalysedHit> impacts_without_force(const acquire::Record& record);
 
-/// The first sample of the signals of impact `h`: earlier than the hit's where the structure rests before it and the
-/// user states no pre-trigger.
+/// The first sample of the signals of impact `h`, for a structure that rests before it. Where the user states a
+/// pre-trigger, it is the hit's first. Otherwise it is the hit's first or earlier: up to 0.1 s before the gate, but not
+/// before the last blow's force has ended, nor before the selected time.
 std::size_t first_sample_of_impact(const acquire::Record& record, const acquire::HitOptions& options,
                                    const std::vector<AnalysedHit>& impacts, std::size_t h);
 

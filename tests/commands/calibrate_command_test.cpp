@@ -110,7 +110,7 @@ TEST_F(CalibrateCommand, RefusesARecordInNewtons) {
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("is in N already"), HasSubstr("(--force-unit)")));
 }
 
-// The scale belongs to the stored numbers: the same hits in V and in mV, and the peak that analyze finds with it.
+// The scale is per unit of the stored numbers, V or mV. With it, analyze finds the true peak.
 TEST_F(CalibrateCommand, StatesTheScalePerUnitOfTheStoredNumbers) {
   constexpr double kNewtonPerVolt = 432.9, kPeak_N = 40;
   for (const auto& [unit, volts] : {std::pair{"V", 1.0}, std::pair{"mV", 1e-3}}) {

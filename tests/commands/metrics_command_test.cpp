@@ -46,7 +46,8 @@ TEST(MetricsCommand, StatesEveryUncertaintyAndItsSources) {
   EXPECT_NEAR(bat["uncertainty"]["drop"]["std"].get<double>(), std::hypot(step, 0.005 / std::sqrt(12.0)), kRounding);
 }
 
-// 6 in off the tip these metrics do not change with z: rounding errors are no ±, whatever the length.
+// 6 in from the tip, these metrics do not change with the length. The rounding error of this derivative is no ±,
+// whatever the length.
 TEST(MetricsCommand, TakesNoRoundingErrorForAnUncertainty) {
   for (const char* length_in : {"30", "31", "32", "33", "34"}) {
     const auto outcome =

@@ -45,7 +45,8 @@ class Hdf5Hostile : public testing::Test {
     return input_error_of([&] { acquire::open_hdf5(path_); });
   }
   /// A data set /force of two hits with the given creation property list and type, without values.
-  static void declare_force(const Hdf5Builder& file, hid_t type, hid_t creation, Shape shape = {2, 9}) {
+  static void declare_force(const Hdf5Builder& file, hid_t type, hid_t creation) {
+    const Shape shape{2, 9};
     const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
     const hid_t set = H5Dcreate2(file.id(), "force", type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
     ASSERT_GE(set, 0);
@@ -217,18 +218,15 @@ TEST_F(Hdf5Hostile, RejectsPathsThroughOtherFiles) {
 
 TEST_F(Hdf5Hostile, RejectsStorageInOtherFilesAndUnknownFilters) {
   const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
-  const auto refusal = [&](Shape shape = {2, 9}) {
-    return rejection_of([&](Hdf5Builder& file) { declare_force(file, H5T_IEEE_F64LE, creation, shape); }, "force");
+  const auto refuse_list = [&](hid_t list, hid_t type) {
+    return rejection_of([&](Hdf5Builder& file) { declare_force(file, type, list); }, "force");
   };
   H5Pset_external(creation, "/etc/passwd", 0, H5F_UNLIMITED);
-  EXPECT_THAT(refusal(), HasSubstr("in other files"));
+  EXPECT_THAT(refuse_list(creation, H5T_IEEE_F64LE), HasSubstr("in other files"));
   const hid_t virtual_set = H5Pcreate(H5P_DATASET_CREATE), packed = H5Pcreate(H5P_DATASET_CREATE);
   const Shape extent{2, 9};
   const hid_t space = H5Screate_simple(2, extent.data(), nullptr);
   H5Pset_virtual(virtual_set, space, "other.h5", "/force", space);
-  const auto refuse_list = [&](hid_t list, hid_t type) {
-    return rejection_of([&](Hdf5Builder& file) { declare_force(file, type, list); }, "force");
-  };
   EXPECT_THAT(refuse_list(virtual_set, H5T_IEEE_F64LE), HasSubstr("in other files"));
   H5Pset_chunk(packed, 2, extent.data());
   H5Pset_scaleoffset(packed, H5Z_SO_INT, 0);

@@ -17,7 +17,7 @@ constexpr double kDeviations = 5;  // of a few values: one false alarm in a mill
 constexpr std::array<Pole, 2> kPair = {
     {{.freq_Hz = 518.1, .damping_ratio = 0.0009}, {.freq_Hz = 520.3, .damping_ratio = 0.001}}};
 
-// A strong mode, and a close pair whose residues are about a hundredth of its residue.
+// A strong mode, and a pair two half-power bandwidths apart, whose residues are about a hundredth of its residue.
 FrfDataset strong_mode_and_pair() {
   FrfDataset set = test::empty_set(2000, 2000, 10, 990, 1);
   test::add_mode(set, 0, {.freq_Hz = 431, .damping_ratio = 0.005}, 100);
@@ -33,7 +33,7 @@ std::vector<Mode> strong_mode(const FrfDataset& set) {
   return modes;
 }
 
-TEST(ModesAtFrequencies, FindsAClosePair) {
+TEST(ModesAtFrequencies, FindsAWeakPair) {
   const FrfDataset set = strong_mode_and_pair();
   const std::vector<Mode> known = strong_mode(set);
   ASSERT_EQ(known.size(), 1U);

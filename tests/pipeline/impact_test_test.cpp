@@ -21,8 +21,8 @@ ImpactTest deflect_with(std::optional<double> pretrigger_s) {
                  {.deflection = {.method = metrics::DeflectionMethod::drift_free, .free_body = true}});
 }
 
-// A longer rest before the hit determines bias and drift better. The rest of a pre-trigger of 5 ms would leave 0.2 m of
-// uncertainty after a second. Here half a second of rest is recorded.
+// A longer rest before the hit determines bias and drift better. The rest of a pre-trigger of 5 ms would leave an
+// uncertainty of about 1 m after a second. Here half a second of rest is recorded.
 TEST(ImpactTest, TakesTheBiasFromALongRest) {
   const ImpactTest test = deflect_with({});
   ASSERT_FALSE(test.hits.empty());

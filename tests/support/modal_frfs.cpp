@@ -115,6 +115,12 @@ std::vector<Eigen::VectorXcd> frf_vectors(const identify::FrfDataset& set) {
   return out;
 }
 
+Eigen::VectorXcd vector_of(const std::vector<Complex>& lines) {
+  return Eigen::Map<const Eigen::VectorXcd>(lines.data(), static_cast<Eigen::Index>(lines.size()));
+}
+
+double largest(const Eigen::VectorXcd& lines) { return lines.cwiseAbs().maxCoeff(); }
+
 void expect_modes_near(const std::vector<identify::Mode>& found, const std::vector<identify::Pole>& truth) {
   ASSERT_EQ(found.size(), truth.size());
   for (std::size_t m = 0; m < truth.size(); ++m) {

@@ -36,6 +36,10 @@ void add_random_gain(identify::FrfDataset& set, std::uint64_t seed);
 
 /// The FRF of each channel as a vector of the spectral lines.
 std::vector<Eigen::VectorXcd> frf_vectors(const identify::FrfDataset& set);
+/// The spectral lines as a vector.
+Eigen::VectorXcd vector_of(const std::vector<Complex>& lines);
+/// The largest magnitude of a line.
+double largest(const Eigen::VectorXcd& lines);
 
 /// A normal error exceeds it once in 150 000.
 inline constexpr double kModeDeviations = 4.5;

@@ -137,12 +137,12 @@ TEST(Pulse, DoesNotDependOnTheRangeOfSamples) {
 
 TEST(Pulse, RingsAfterAnOnsetBeforeTheFirstSample) {
   const std::array poles{SynthPole{169, 0.01}};
-  const PulseBasis late = pulse_basis({PulseKind::haversine, -0.02, 0.3e-3, 300}, kFs_Hz, poles, 0, 1024);
-  const PulseBasis early = pulse_basis({PulseKind::haversine, 0.02, 0.3e-3, 300}, kFs_Hz, poles, 0, 4096);
-  EXPECT_EQ(peak(late.force_N), 0);
+  const PulseBasis before_record = pulse_basis({PulseKind::haversine, -0.02, 0.3e-3, 300}, kFs_Hz, poles, 0, 1024);
+  const PulseBasis within_record = pulse_basis({PulseKind::haversine, 0.02, 0.3e-3, 300}, kFs_Hz, poles, 0, 4096);
+  EXPECT_EQ(peak(before_record.force_N), 0);
   constexpr double kTolerance = 1e-12;  // of the value: 0.04 s are 1024 samples exactly
-  EXPECT_LE(std::abs(late.regular_N[0][500] - at(early, early.regular_N[0], 1524)),
-            kTolerance * peak(late.regular_N[0]));
+  EXPECT_LE(std::abs(before_record.regular_N[0][500] - at(within_record, within_record.regular_N[0], 1524)),
+            kTolerance * peak(before_record.regular_N[0]));
 }
 
 TEST(AntiAliasFilter, IsFlatInTheBandAndStopsItsImage) {

@@ -72,7 +72,8 @@ void add_reading_options(Command& command, ReadFlags& flags) {
           "Set the sampling rate in place of the file's: a number, or for a MAT file the name of a variable")
       .type("HZ");
   command
-      .value("--df", options.df_Hz, "Set the frequency spacing of FRFs, for files that round frequencies or state none (MAT)")
+      .value("--df", options.df_Hz,
+             "Set the frequency spacing of FRFs, for files that round frequencies or state none (MAT)")
       .above_zero()
       .type("HZ");
   command.value("--force-channel", options.force_channel, "Select the force by column name or number, counted from 1")
@@ -150,8 +151,9 @@ void add_read_flags(Command& command, ReadFlags& flags, Reads reads) {
   command
       .value(
           "--files", [&flags](const std::string& text) { flags.files = grouping_named(text); },
-          "Group several files: as hits of one test, as points of one test, or as separate tests (default: hits if "
-          "rates and channels agree)")
+          reads == Reads::described ? "Has no effect: each file is described alone"
+                                    : "Group several files: as hits of one test, as points of one test, or as separate "
+                                      "tests (default: hits if rates and channels agree)")
       .one_of({"hits", "points", "tests"});
   command.heading(previous);
   add_trust_input_option(command, flags);

@@ -27,7 +27,8 @@ struct ReadFlags {
   Host* host = nullptr;  // may provide data in place of paths
 };
 
-enum class Reads { records, records_or_frfs };
+/// What a command reads. `described`: records or FRFs, each file alone, so that --files has no effect.
+enum class Reads { records, records_or_frfs, described };
 void add_read_flags(Command& command, ReadFlags& flags, Reads reads = Reads::records_or_frfs);
 // The parts of add_read_flags: options that change a record's numbers, --setup, and --trust-input.
 void add_reading_options(Command& command, ReadFlags& flags);

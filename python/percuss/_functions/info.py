@@ -73,8 +73,7 @@ def info(
     setup : path or dict, optional
         Read the channel set-up from this file (JSON; `percuss.example("info")` prints one).
     files : {'hits', 'points', 'tests'}, optional
-        Group several files: as hits of one test, as points of one test, or as separate tests
-        (default: hits if rates and channels agree).
+        Has no effect: each file is described alone.
     trust_input : bool, optional
         Read MAT, HDF5 and sound files in this process, without a sandbox.
 
@@ -95,7 +94,7 @@ def info(
 
     Notes
     -----
-    The keywords are the options of `percuss info`; docs/theory/theory.md has the equations.
+    The keywords are the options of `percuss info`.
 
     Examples
     --------

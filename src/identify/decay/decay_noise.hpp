@@ -8,8 +8,9 @@ namespace percuss::identify {
 /// The variance of the lines of a residual, E|R(k)|², per hit and channel. Records of several files may differ in noise
 /// by any factor. The variance is therefore a product: a level of each hit in each channel, times a spectrum that all
 /// hits of the channel share. For the spectrum, the power of each hit is divided by the hit's level and averaged over
-/// the hits. The spectrum is the median of this average in each block of lines, interpolated between the blocks. Peaks
-/// in less than half of a block do not change it. The variance is at least `floor` (E|R|² of rounding).
+/// the hits. The spectrum is the mean power that follows from the median of this average in each block of lines,
+/// interpolated between the blocks. Peaks in a small part of a block hardly change it. The variance is at least `floor`
+/// (E|R|² of rounding).
 /// shapes  floor [hits × channels]; result [lines, hits × channels].
 Eigen::MatrixXd decay_line_noise(const DecaySpectra& residual, const Eigen::VectorXd& floor);
 

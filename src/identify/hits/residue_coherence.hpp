@@ -18,9 +18,9 @@ struct ResidueCoherence {
 std::optional<bool> residues_agree(const ResidueCoherence& point);
 
 /// [points of set] for the mode window.modes[mode]. Each hit is fitted over the window at the modes' poles, which gives
-/// a residue r per channel; w is one over the variance of r. Each channel has its own mean. The residues of the test
-/// are no such mean: they are fitted to the same hits, and the part of r along them agrees better than independent
-/// residues do. The flanks of other modes raise the coherence of an FRF, but not this one. theory (1.11)
+/// a residue r per channel; w is one over the variance of r. The hits are compared with their own mean in each channel,
+/// not with the residues of the test: these are fitted to the same hits, so the part of r along them agrees better than
+/// independent residues do. The flanks of other modes raise the coherence of an FRF, but not this one. theory (1.11)
 std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const HitFrfs& hits,
                                                 const std::vector<Mode>& modes, const ModeWindow& window,
                                                 std::size_t mode);

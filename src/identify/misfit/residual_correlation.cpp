@@ -23,10 +23,17 @@ double removed(const ProjectedPart& part, const Eigen::MatrixXd& polynomial, Ind
   return sum;
 }
 
+double lines_of(const ProjectedState& state) {
+  double lines = 0;
+  for (const ProjectedPart& part : state.parts)
+    lines += static_cast<double>(part.residual.rows()) * static_cast<double>(part.channels.size());
+  return lines;
+}
+
 // The residual's lagged covariance, normalised, without the part that white noise shows.
 double correlation(const ProjectedState& state, const Eigen::MatrixXd& polynomial, const Eigen::VectorXd& noise,
                    Index lag) {
-  double sum = 0, lines = 0;
+  double sum = 0;
   for (const ProjectedPart& part : state.parts) {
     const Index count = part.residual.rows() - lag;
     const double expected = -removed(part, polynomial, lag);
@@ -34,17 +41,9 @@ double correlation(const ProjectedState& state, const Eigen::MatrixXd& polynomia
       const auto residual = part.residual.col(static_cast<Index>(i));
       const double w = noise(static_cast<Index>(part.channels[i]));
       sum += residual.head(count).dot(residual.tail(count)).real() / (w * w) - expected;
-      lines += static_cast<double>(part.residual.rows());
     }
   }
-  return sum / lines;
-}
-
-double lines_of(const ProjectedState& state) {
-  double lines = 0;
-  for (const ProjectedPart& part : state.parts)
-    lines += static_cast<double>(part.residual.rows()) * static_cast<double>(part.channels.size());
-  return lines;
+  return sum / lines_of(state);
 }
 
 }  // namespace

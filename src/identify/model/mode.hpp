@@ -40,7 +40,8 @@ struct Mode {
   double freq_scatter_Hz = 0;     // standard deviation of the frequency between impact points; 0: not significant
   std::vector<Residue> residues;  // [channels] in the order of FrfDataset::channels
   /// Where the mode keeps its windowed fit: residual energy of the joint fit around this mode over the residual energy
-  /// of the windowed fit. Infinite where the poles of the joint fit did not settle. Otherwise 0.
+  /// of the windowed fit. Infinite where the poles of the joint fit did not settle in its first pass, before its
+  /// weights follow from the residual. Otherwise 0.
   double joint_misfit = 0;
   double joint_residual = 0;  // of the joint fit, relative to the FRFs around the mode
 };

@@ -24,7 +24,7 @@ Eigen::MatrixXcd gain_errors(const FrfDataset& set, std::size_t point, const std
 double gain_std(const FrfDataset& set, std::size_t point, double freq_Hz);
 
 /// Standard deviation of the gain error's real part near a frequency: the relative error of the FRFs' amplitudes. Where
-/// the gate is shorter than half a period, nearly all of the error is real.
+/// the gate is much shorter than half a period, nearly all of the error is real.
 /// theory (4.28)
 double gain_amplitude_std(const FrfDataset& set, std::size_t point, double freq_Hz);
 

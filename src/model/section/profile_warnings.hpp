@@ -9,7 +9,7 @@
 
 namespace percuss::model {
 
-/// A warning about a model's frequencies, and the number that decided it.
+/// A warning about a model's frequencies, and a number that shows its size.
 struct ProfileWarning {
   warnings::Warning warning;
   double value = 0;

@@ -62,8 +62,8 @@ class PairSearch {
  private:
   bool both_free() const { return free_[0] && free_[1]; }
 
-  // chi2 has a long valley. A search that meets a limit may stop in it too early, so that the best pairs at both limits
-  // of a are tried as well.
+  // chi2 has a long valley. A search that meets a limit may stop in the valley too early. The best pairs at both limits
+  // of a are therefore tried as well.
   void use_better_limit() {
     for (const double limit : {0.0, kMaxStiffnessExponent}) {
       const Exponents at_limit = valley_at(0, limit);

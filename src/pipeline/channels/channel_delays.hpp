@@ -46,9 +46,10 @@ std::optional<ChannelDelay> delay_of_phases(std::span<const ModePhase> phases);
 std::vector<ChannelDelay> delays_of_residues(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                                              std::size_t channels);
 
-/// As delays_of_residues. A delay of several periods falsifies the modes themselves. Where the phases establish
-/// no delay and the structure first moves more than one period of the highest mode after the force's onset, the FRFs
-/// are corrected by the time of this first motion, and the modes are identified again.
+/// As delays_of_residues. A delay of several periods falsifies the modes themselves. Where a channel's phases establish
+/// no delay and are in disorder (0.3 rad rms or more about zero, or too few), and the structure first moves more than
+/// one period of the highest mode after the force's onset, the channel's FRFs are corrected by the time of this first
+/// motion, and the modes are identified again.
 std::vector<ChannelDelay> channel_delays(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                                          const std::vector<AnalysedHit>& hits, std::size_t channels);
 

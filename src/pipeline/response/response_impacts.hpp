@@ -17,7 +17,8 @@ struct ResponseImpact {
 
 /// The impacts of a record without a force, row by row. At an impact, the power of the difference between successive
 /// samples (or means of samples), summed over the channels, rises within 1.5 ms above ten times its largest value in
-/// the 20 ms before. If a row has no such rise, the power of the responses is searched instead. A row without any rise
+/// the 20 ms before. If a row has no such rise, the power of the responses is searched instead. The differences are
+/// also searched in blocks 4 and 16 times as long, in which a weak blow stands out of the noise. A row without any rise
 /// begins within a decay.
 /// errors  InputError: no samples in the selected time.
 std::vector<ResponseImpact> response_impacts(const acquire::Record& record, const acquire::HitOptions& options);

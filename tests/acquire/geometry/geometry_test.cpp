@@ -88,10 +88,10 @@ TEST(Geometry, FindsTheTubeInCoordinatesAboutAnyAxis) {
 }
 
 TEST(Geometry, ComesFromTheRecordItself) {
-  const auto flat = geometry_of_record({{0.1, 90}, {0.2, 180}});
-  ASSERT_TRUE(flat && flat->tube);
-  EXPECT_EQ(flat->points[1].point, 1);
-  EXPECT_DOUBLE_EQ(flat->points[0].angle_rad, pi / 2);
+  const auto tube = geometry_of_record({{0.1, 90}, {0.2, 180}});
+  ASSERT_TRUE(tube && tube->tube);
+  EXPECT_EQ(tube->points[1].point, 1);
+  EXPECT_DOUBLE_EQ(tube->points[0].angle_rad, pi / 2);
   const auto points = geometry_of_record({{0, 1, 0}, {0, -1, 0}});
   ASSERT_TRUE(points);
   EXPECT_FALSE(points->tube);

@@ -109,11 +109,11 @@ TEST(GradeResponse, FindsRingingBeforeTheHit) {
   }
   EXPECT_TRUE(grade(earlier).rings_before);
   EXPECT_FALSE(grade(ringing(1500)).rings_before);
-  auto noisy = ringing(1500), rounded = noisy;
+  auto noisy = ringing(1500), disturbed = noisy;
   test::add_noise(noisy, 2, 3);
   EXPECT_FALSE(grade(noisy).rings_before);
-  rounded[100] += 1e-4;  // more than 52 dB below the response: negligible
-  EXPECT_FALSE(grade(rounded).rings_before);
+  disturbed[100] += 1e-4;  // more than 52 dB below the response: negligible
+  EXPECT_FALSE(grade(disturbed).rings_before);
 }
 
 TEST(GradeResponse, TakesTheFilterBeforeTheHitForNoMotion) {

@@ -52,7 +52,7 @@ TEST(TriggerScan, MeasuresBaselineAndNoiseBesideThePulses) {
   EXPECT_EQ(found.events.size(), 7U);
 }
 
-// The scan looks at blocks of samples. A pulse that lies in two of them is one event, at any rate.
+// The scan looks at blocks of samples. A pulse that lies in two of them is one event, whatever the sampling rate.
 TEST(TriggerScan, FindsOnePulseWhereverItLies) {
   for (const double fs_Hz : {25.0, 50.0, 200.0, 1000.0, 6400.0}) {
     for (std::size_t at = 1000; at < 1000 + 130; ++at) {

@@ -35,7 +35,8 @@ std::int32_t number(std::size_t frame, std::size_t channel) {
                                    (channel == 0 ? 0U : 0x5a5a5a5aU));
 }
 
-/// A configuration of ALSA with the input "bench". While it lives, ALSA knows nothing else.
+/// A configuration of ALSA with the input "bench" and an empty device "default". While it lives, ALSA knows no other
+/// device.
 class AlsaConfiguration {
  public:
   AlsaConfiguration() {

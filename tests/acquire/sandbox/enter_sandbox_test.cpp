@@ -25,7 +25,8 @@
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
 
-// Attempts of malicious code in a sandboxed reader. Each attempt must fail.
+// Attempts of malicious code in a sandboxed reader. Each must fail, except reading the file itself, and looking up
+// names and sizes of files.
 namespace percuss::acquire::enter_sandbox_test {
 
 using testing::HasSubstr;

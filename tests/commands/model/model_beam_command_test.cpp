@@ -60,7 +60,7 @@ TEST(ModelBeamCommand, FitsMeasuredFrequencies) {
   EXPECT_TRUE(free["fit"]["parameters"][0]["std"].is_null());
 }
 
-// Each start is far from the value that the frequencies have, of the beam with EI 4000, spring 1200 and ρA 2.24.
+// The frequencies are those of the beam with EI 4000, spring 1200 and ρA 2.24. Each start is far from these values.
 TEST(ModelBeamCommand, TakesAGivenValueOfAFittedParameterForItsStart) {
   const std::vector<std::string> measured{"--measured", "14.536,322.433,1037.79", "--measured-std", "0.01"};
   const auto fitted = [&](std::vector<std::string> words) {

@@ -70,7 +70,7 @@ TEST(RecordEnd, RefusesFilesThatChangedSinceTheSessionBegan) {
   EXPECT_EQ(bench.run({"record", "--resume", "t.h5"}).code, 6);
 }
 
-TEST(RecordEnd, NamesADeadChannel) {
+TEST(RecordEnd, NamesAChannelWithoutNumbers) {
   const Bench bench;
   const auto recorded = bench.record("sim:aluminium-bat,nan=0:100");
   EXPECT_EQ(recorded.code, 4);

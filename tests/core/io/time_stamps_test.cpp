@@ -57,7 +57,7 @@ TEST(RateOfTimeStamps, IsExactForAnyRoundingOfTheStamps) {
   }
 }
 
-// Every 43rd stamp or so repeats the one before it.
+// At 10240 Hz, every 43rd stamp or so repeats the one before it.
 TEST(RateOfTimeStamps, AcceptsRepeatedStampsOfARateAboveOneSamplePerUnit) {
   for (const double fs_Hz : {10240.0, 12800.0, 10100.0}) {
     const auto rate = rate_of(rounded_stamps(fs_Hz, 20000, 1e-4), 1e-4);

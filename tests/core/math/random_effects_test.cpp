@@ -23,13 +23,14 @@ TEST(RandomEffects, AreAWeightedMeanWhereValuesAgree) {
   EXPECT_NEAR(out.weights, 5, kRounding);
 }
 
-// Without noise of their own, values differ by the variance between them: weights 1/factor.
+// Where the noise of each value is negligible, its variance is the variance between the values times its factor: the
+// weights are in proportion to 1/factor.
 TEST(RandomEffects, WeightByTheFactorsOfTheVariance) {
   const RandomEffects out = random_effects({1, 2, 7}, {1e-6, 1e-6, 1e-6}, 0, {1, 1, 4});
   EXPECT_NEAR(out.mean, (1 + 2 + 7 / 4.0) / 2.25, 1e-9);
 }
 
-// In doubles, 1e9 + 1/3 has an error of 6e-8. The origin 1e9 leaves no further error.
+// In doubles, 1e9 + 1/3 has an error of 4e-8. With a value as the origin, the mean has no further error.
 TEST(RandomEffects, RoundRelativeToTheOrigin) {
   std::vector<double> value(101, 1e9 + 1.0 / 3), std(101, 0.1);
   EXPECT_EQ(random_effects(value, std, value.front()).mean, value.front());

@@ -163,7 +163,7 @@ TEST(FreeDecays, ReachTheCramerRaoBoundWithTrueStandardDeviations) {
   const Eigen::MatrixXd lowest = bound(kNoise);
   std::size_t other_counts = 0, within = 0, values = 0;
   std::vector<double> of_bound(2 * truth().size()), stated(2 * truth().size());
-  std::vector<double> mean(2 * truth().size());
+  std::vector<double> sum(2 * truth().size());
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
     const DecayResults found = found_in(kNoise, seed);
     if (found.modes.size() != truth().size()) {
@@ -181,7 +181,7 @@ TEST(FreeDecays, ReachTheCramerRaoBoundWithTrueStandardDeviations) {
       const std::array<double, 2> least{std::sqrt(lowest(at, at)) / omega, std::sqrt(lowest(at + 1, at + 1)) / kTwoPi};
       for (std::size_t u = 0; u < 2; ++u) {
         of_bound[2 * m + u] += std::pow(error.at(u) / least.at(u), 2);
-        mean[2 * m + u] += error.at(u) / least.at(u);
+        sum[2 * m + u] += error.at(u) / least.at(u);
         stated[2 * m + u] += std::pow(std.at(u) / least.at(u), 2);
         within += std::abs(error.at(u)) < 1.96 * std.at(u) ? 1U : 0U;
         ++values;
@@ -194,7 +194,7 @@ TEST(FreeDecays, ReachTheCramerRaoBoundWithTrueStandardDeviations) {
     // 60 seeds give an RMS to 9 % and a mean to 0.13 standard deviations. The first two
     // tolerances are four times as large; the stated standard deviations vary less.
     EXPECT_NEAR(std::sqrt(of_bound[u] / count), 1, 0.37) << u;
-    EXPECT_NEAR(mean[u] / count, 0, 0.52) << u;
+    EXPECT_NEAR(sum[u] / count, 0, 0.52) << u;
     EXPECT_NEAR(std::sqrt(stated[u] / count), 1, 0.1) << u;
   }
   const double covered = static_cast<double>(within) / static_cast<double>(values);

@@ -50,8 +50,8 @@ TEST(SynthesisedFrf, FollowsAModeAboveTheBand) {
   EXPECT_LE(1 - synthesised_frfs(c.set, c.modes, c.set.lines)[0].frac, kClose);
 }
 
-// The flank of the mode is a quarter of the FRF at the end of the band. The residual terms r_0, r_2 and r_4 alone
-// leave 0.6 % of the energy, all four 0.12 %.
+// At the end of the band, the flank of the mode is a fifth of the FRF's largest magnitude. The residual terms r_0, r_2
+// and r_4 alone leave 0.6 % of the energy, all four 0.12 %.
 TEST(SynthesisedFrf, FollowsTheFlankOfAModeJustAboveTheBand) {
   Case c;
   test::add_mode(c.set, 0, {2150, 0.03}, 2.0);

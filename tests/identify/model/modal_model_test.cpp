@@ -9,11 +9,8 @@
 
 namespace percuss::identify::modal_model_test {
 
-double largest(const Eigen::VectorXcd& x) { return x.cwiseAbs().maxCoeff(); }
-
-Eigen::VectorXcd vector_of(const std::vector<Complex>& x) {
-  return Eigen::Map<const Eigen::VectorXcd>(x.data(), static_cast<Eigen::Index>(x.size()));
-}
+using test::largest;
+using test::vector_of;
 
 TEST(ModeColumn, IsTheClosedFormOfAModeThatHasDecayed) {
   constexpr double kTolerance = 1e-12;  // rounding of a resonance of height 50; the mode decays to e^−301

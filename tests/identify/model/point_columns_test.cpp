@@ -7,11 +7,8 @@
 
 namespace percuss::identify::point_columns_test {
 
-double largest(const Eigen::VectorXcd& x) { return x.cwiseAbs().maxCoeff(); }
-
-Eigen::VectorXcd vector_of(const std::vector<Complex>& x) {
-  return Eigen::Map<const Eigen::VectorXcd>(x.data(), static_cast<Eigen::Index>(x.size()));
-}
+using test::largest;
+using test::vector_of;
 
 TEST(TruncatedDecay, IsTheDifferenceOfUntruncatedAndTruncatedColumns) {
   constexpr double kTolerance = 1e-12;  // rounding, of the largest line
@@ -32,18 +29,18 @@ TEST(TruncatedDecay, IsTheDifferenceOfUntruncatedAndTruncatedColumns) {
   }
 }
 
-// Points with one and with two hits, with and without an exponential window; one mode ends within the records.
+// Points with three and with four hits, with and without an exponential window; one mode ends within the records.
 TEST(PointColumns, EqualTheColumnsOfEachPoint) {
   constexpr double kTolerance = 1e-12;  // rounding, of the largest line
   const synth::SyntheticTest made = synth::synthesise(test::truncated_bat_spec());
   for (const double decay_per_s : {0.0, 3.0}) {
     FrfDataset set = test::frf_set_of(made.record, 40, 2000, decay_per_s);
-    PointForce twice = set.points[0];
-    twice.blocks.push_back(twice.blocks[0]);
-    twice.blocks[1].offset += 7;
-    for (double& force : twice.blocks[1].force_N) force *= 1.5;
-    twice.spectra.push_back(test::make_spectrum(frf::force_spectrum(twice.blocks[1], set.lines)));
-    set.points.push_back(point_force(twice.blocks, twice.spectra, set.lines, 0));
+    PointForce more_hits = set.points[0];
+    more_hits.blocks.push_back(more_hits.blocks[0]);
+    more_hits.blocks.back().offset += 7;
+    for (double& force : more_hits.blocks.back().force_N) force *= 1.5;
+    more_hits.spectra.push_back(test::make_spectrum(frf::force_spectrum(more_hits.blocks.back(), set.lines)));
+    set.points.push_back(point_force(more_hits.blocks, more_hits.spectra, set.lines, 0));
     for (const Pole& pole : {Pole{120, 0.004}, Pole{800, 0.05}}) {
       const PointColumns columns(pole, set, 5, 200);
       const PointValues values(pole, set, 5, 200);

@@ -25,7 +25,7 @@ TEST(TruncationRipples, AreSuspectedBelowTheFlankOfATruncatedDecay) {
   EXPECT_FALSE(doubtful[2]) << "a peak above it";
 }
 
-TEST(TruncationRipples, AreAbsentWhereAllModesDecay) {
+TEST(TruncationRipples, AreAbsentWhereAllPolesDecay) {
   const auto doubtful = find_truncation_ripples(truncated_set(), {{430, 0.01}, {900, 0.005}});
   EXPECT_FALSE(doubtful[0]);
   EXPECT_FALSE(doubtful[1]);

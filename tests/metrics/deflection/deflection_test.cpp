@@ -72,7 +72,8 @@ TEST(Deflection, IsExactForACleanRecord) {
   EXPECT_EQ(found.method, DeflectionMethod::drift_free);
   EXPECT_NEAR(std::abs(found.peak_m), test::largest_magnitude(test.deflection_m),
               kAliasing * test::largest_magnitude(test.deflection_m));
-  // The error of the velocity after the pulse grows with the time: by ωt = 25 in 0.28 s.
+  // The relative error of the velocity after the pulse, kAliasing, makes an error of the deflection that grows with
+  // time: to ωt = 25 times kAliasing of the peak in 0.28 s.
   for (std::size_t i = 0; i < test.deflection_m.size(); i += 500)
     EXPECT_NEAR(found.deflection_m[i], test.deflection_m[i],
                 30 * kAliasing * test::largest_magnitude(test.deflection_m))
@@ -82,7 +83,8 @@ TEST(Deflection, IsExactForACleanRecord) {
 // Behind an anti-alias filter, the deflection is the filtered one. The reference follows from the filtered force, not
 // from the samples of the acceleration.
 TEST(Deflection, IsExactForAFilteredRecordAtEverySamplingRate) {
-  constexpr double kTolerance = 1e-6;  // of the peak: the window at the record's end, and the zero-mean correction
+  // Of the peak: kMethodError of deflection.cpp, the error by rounding and by the filter's first ringing.
+  constexpr double kTolerance = 1e-6;
   const std::vector<synth::SynthPole> poles{{14.5, 0.012}, {90, 0.01}, {322, 0.008}};
   for (const double fs_Hz : {2000.0, 5000.0, 12800.0, 25600.0, 50000.0}) {
     const auto samples = static_cast<std::size_t>(1.2 * fs_Hz);
@@ -215,7 +217,7 @@ TEST(Deflection, FromModesSaysThatItLeavesOutRigidBodyMotion) {
   EXPECT_FALSE(deflection_of(signal, {.method = DeflectionMethod::modal}).rigid_motion_left_out);
 }
 
-// A body that moves away has no largest deflection. The peak is then the value that exceeds its ± by most.
+// A body that moves away has no largest deflection. The peak is then the value that exceeds four times its ± by most.
 TEST(Deflection, SaysThatTheMotionGoesOnAfterTheLargestValue) {
   Impact test = impact(20000, 0.005);
   EXPECT_FALSE(deflection_of(signal_of(impact()), {}).larger_later);
@@ -359,7 +361,7 @@ TEST(BaselineEstimate, StatesTheScatterOfColouredNoise) {
     white_noise += baseline_estimate(white, kFs_Hz, 1).noise_mps2 / kSeeds;
   }
   EXPECT_GT(std::sqrt(squares / kSeeds), 0.4);
-  EXPECT_LT(std::sqrt(squares / kSeeds), 1.6);  // it would be 16 if the noise were taken for white
+  EXPECT_LT(std::sqrt(squares / kSeeds), 1.6);  // it would be 14 if the noise were taken for white
   EXPECT_NEAR(white_noise, 1, 0.01);
 }
 

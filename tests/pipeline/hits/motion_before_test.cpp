@@ -36,7 +36,7 @@ TEST(MotionBefore, IsFoundWhereTheLastBlowStillRings) {
 }
 
 // 2.2 s after the last blow, 1 % of the motion is left: too little to see in the pre-trigger of 5 ms, but an integral
-// would take it for a bias and a drift of hundreds of metres.
+// would take it for a bias and a drift, and be off by up to ten metres at the record's end.
 TEST(MotionBefore, LeavesTheDeflectionToTheModes) {
   const Analysis analysis = analysis_of(struck_at({0.2, 2.4}));
   const ImpactTest test = deflect(analysis);

@@ -194,8 +194,9 @@ TEST(HitScatter, NamesSofteningWithItsSlope) {
 }
 
 // Two modes 0.1 half-power bandwidths apart, in noise of 1 %. The poles of the single hits are far less certain than
-// those of all hits together; with this seed, they seem to scatter. The ± of the damping ratio includes the
-// uncertainty of the mean of the hits, which was taken: it was 7.5 standard deviations off without it.
+// those of all hits together; with this seed, they seem to scatter. The damping ratio becomes the mean of the
+// hits' damping ratios, and its ± includes the uncertainty of this mean. Without this part, the damping ratio was 7.5
+// standard deviations off.
 TEST(HitScatter, IncludesTheUncertaintyOfTheMeanDampingOfTheHits) {
   constexpr double kDamping = 0.002;
   synth::SynthSpec spec;

@@ -234,7 +234,7 @@ void add_info(CommandLine& line) {
   command.example("percuss info hits.csv --force-channel CH8 --json", "Print a document; the force is in column CH8");
   command.example("percuss info --example > channels.json",
                   "Write an example of a channel set-up, to be changed and passed to --setup");
-  add_read_flags(command, flags->read);
+  add_read_flags(command, flags->read, Reads::described);
   add_output_flags(command, flags->output, {".json"});
   command.flag("--example", flags->example, "Print an example of a channel set-up for --setup");
 }

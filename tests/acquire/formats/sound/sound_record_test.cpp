@@ -190,7 +190,7 @@ TEST_F(SoundRecord, RefusesFilesThatAreNoMeasurement) {
 TEST_F(SoundRecord, SurvivesTruncationAndMutations) {
   const std::string chunk = calibration_chunk(
       R"({"signals": [{"name": "f", "measures": "force", "si_at_full_scale": 1}, {"si_at_full_scale": 1}]})");
-  std::vector<int> samples;  // as many bytes as the header and the chunk have together: mutations change both
+  std::vector<int> samples;  // twice as many bytes as the header and the chunk have together: mutations change both
   for (int n = 0; n < 150; ++n) samples.push_back(200 * (n % 100));
   const std::string whole = wav({.before = chunk}, integers(samples, 2));
   int read = 0, refused = 0;
@@ -278,7 +278,7 @@ TEST_F(SoundRecord, WrittenAsW64HoldsPlainNumbers) {
 }
 
 // A channel of the sound file keeps the name "force_N" of its column in the text. The scale in the sound file counts,
-// not the unit in that name. Samples are 32-bit floats.
+// not the unit in that name. Samples are 64-bit floats, as fractions of full scale.
 TEST_F(SoundRecord, KeepsTheScaleOfChannelsWhoseNamesCarryUnits) {
   const Record text = test::csv_record("t_s,force_N,acc_g\n0,0,1\n0.01,300,-2\n0.02,10,0.5\n0.03,0,0\n");
   write_record(path_, text, false);

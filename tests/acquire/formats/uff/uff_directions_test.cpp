@@ -117,7 +117,8 @@ TEST(UffDirections, AreThoseOfPointsAndSensors) {
   EXPECT_FALSE(record.sensor_roves);
 }
 
-// Set 18 defines a cylindrical system 2 around z; the nodes of set 15 lie at 90° and on the axis.
+// Set 18 defines a cylindrical system 2 around z. Of the nodes of set 15, node 4 lies at 90° and node 5 on the axis;
+// node 6 has the undefined system 7.
 TEST(UffDirections, AreInTheDisplacementSystemOfTheNode) {
   const std::string systems =
       "    -1\n    18\n         2         1         0\ncylinder\n"

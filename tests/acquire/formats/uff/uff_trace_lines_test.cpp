@@ -134,7 +134,7 @@ TEST_F(TraceLineFiles, AreKeptWhenTheLastPointsHaveNoCoordinates) {
   }
   const std::string path = folder_.file("r.uff");
   write_record(path, record_, false);
-  EXPECT_EQ(open_record(path).trace_lines.size(), 3U) << "a universal file has no node 4 to draw to";
+  EXPECT_EQ(open_record(path).trace_lines.size(), 3U) << "the universal file has no node of point 4 to draw to";
   EXPECT_THAT(losses_of(path, record_), testing::Contains("lines to points without coordinates"));
 }
 
