@@ -19,7 +19,5 @@ pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp>=2.5)
 add_library(SECCOMP::seccomp ALIAS PkgConfig::SECCOMP)
 # The header alone: the library is loaded when a sound card is used.
 pkg_check_modules(PORTAUDIO REQUIRED portaudio-2.0)
-add_library(PORTAUDIO::headers INTERFACE IMPORTED)
-set_property(TARGET PORTAUDIO::headers PROPERTY INTERFACE_INCLUDE_DIRECTORIES ${PORTAUDIO_INCLUDE_DIRS})
 
 include(PercussHdf5)

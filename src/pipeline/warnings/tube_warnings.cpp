@@ -86,16 +86,19 @@ std::vector<Warning> midway_hit(const std::vector<ClearRatio>& ratios) {
 }
 
 // Sensors at right angles move against each other in every hoop mode, whatever the direction of the hits. A bending
-// mode moves them alike where its plane lies halfway between them, but then all bending modes do (midway_hit).
+// mode moves them alike where its plane lies halfway between them. Where the other modes show one plane elsewhere,
+// modes that move the sensors alike are hoop modes of which one sensor is reversed.
 std::vector<Warning> reversed_sensor(const acquire::Record& record, const std::vector<ClearRatio>& ratios,
                                      const identify::SensorPair& sensors) {
-  std::vector<ClearRatio> alike;
-  std::size_t opposite = 0;
-  for (const ClearRatio& one : ratios) {
-    if (std::abs(one.angle.chi_rad - std::numbers::pi / 4) < kMidway_rad) alike.push_back(one);
-    if (std::abs(one.angle.chi_rad + std::numbers::pi / 4) < kMidway_rad) ++opposite;
-  }
-  if (different_modes(alike) < 2 || opposite > 0 || alike.size() == ratios.size()) return {};
+  std::vector<ClearRatio> alike, others;
+  for (const ClearRatio& one : ratios)
+    (std::abs(one.angle.chi_rad - std::numbers::pi / 4) < kMidway_rad ? alike : others).push_back(one);
+  if (different_modes(alike) < 2 || different_modes(others) < 2) return {};
+  const auto [least, most] =
+      std::minmax_element(others.begin(), others.end(),
+                          [](const ClearRatio& a, const ClearRatio& b) { return a.angle.chi_rad < b.angle.chi_rad; });
+  const bool one_plane = most->angle.chi_rad - least->angle.chi_rad < kMidway_rad;
+  if (!one_plane || std::abs(least->angle.chi_rad + std::numbers::pi / 4) < kMidway_rad) return {};
   return {with_remedy(
       {"reversed",
        fmt::format("{} and {} move alike by the same amount in {} modes. Hoop modes of a tube move sensors at right "
