@@ -2,8 +2,8 @@
 # For a computer without a screen, such as a single-board computer at a test stand. Records one hammer test after
 # another. The exit code and the messages say whether each is complete.
 #   record_unattended.sh DEVICE FOLDER [TESTS] [OPTION]...
-# DEVICE is a name that "percuss devices" lists; sim:aluminium-bat tries it. TESTS is a number; without it, there is one
-# test. Options go to percuss record; the analysis has the same --band.
+# DEVICE is a name that "percuss devices" lists; sim:aluminium-bat simulates a device. TESTS is a number; without it,
+# there is one test. Options go to percuss record; the analysis has the same --band.
 set -u
 if [ $# -lt 2 ]; then
   echo "usage: record_unattended.sh DEVICE FOLDER [TESTS] [OPTION]..." >&2

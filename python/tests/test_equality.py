@@ -269,7 +269,7 @@ def test_info_and_truth_print_the_same_document(tool):
 
 
 def assert_equal_but_for_the_command(one, other):
-    """Both pages name the same options in their commands, in any order."""
+    """The pages differ only in the lines with their commands; `one` names the title and the paper in its command."""
     lines, others = one.split("\n"), other.split("\n")
     assert len(lines) == len(others)
     differing = [(a, b) for a, b in zip(lines, others) if a != b]

@@ -45,7 +45,8 @@ void note_other_rate(const std::string& source, double file_Hz, double stated_Hz
 Quantity response_quantity(const SignalInfo& signal, const SignalOverrides& choice, bool has_force);
 
 /// Applies the statements: sets the signal's unit, to_SI, axis, angle_rad, position_m and measures. Where neither the
-/// file (signal.unit) nor the user states a unit, it is V with a sensitivity, else the SI unit of `measures`.
+/// file (signal.unit) nor the user states a unit, the numbers count as V with a sensitivity, else as the SI unit of
+/// `measures`; signal.unit stays empty.
 /// errors  InputError at `where`: unknown unit, a unit of another quantity, volts without sensitivity, a sensitivity
 /// for another unit than volts or to another quantity, a scale or sensitivity that is zero or not finite.
 void apply_overrides(SignalInfo& signal, const SignalOverrides& choice, Quantity measures, const std::string& where);

@@ -51,7 +51,8 @@ void write_samples(hdf5::OutputHdf5& out, const Record& record, bool one_row) {
   }
 }
 
-// Writes the places of the sensors as attributes of /accel, NaN where unknown; none that no sensor has.
+// Writes the positions and angles of the sensors as attributes of /accel, NaN where unknown; nothing when all are
+// unknown.
 void write_sensors(hdf5::OutputHdf5& out, const Record& record) {
   const auto position_m = sensor_numbers(record.accel, &SignalInfo::position_m);
   const auto angle_deg = sensor_numbers(record.accel, &SignalInfo::angle_rad, kRadian_deg);

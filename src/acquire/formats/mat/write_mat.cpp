@@ -28,7 +28,7 @@ void write_interleaved(MatOutput& out, std::size_t series_count, std::size_t sam
   }
 }
 
-// Writes the places of the sensors, NaN where unknown; none that no sensor has.
+// Writes the angles and positions of the sensors, NaN where unknown; nothing when all are unknown.
 void write_mat_sensors(MatOutput& out, const Record& record) {
   const auto angle_deg = sensor_numbers(record.accel, &SignalInfo::angle_rad, kRadian_deg);
   const auto position_m = sensor_numbers(record.accel, &SignalInfo::position_m);

@@ -50,8 +50,8 @@ bool is_unique(const Grid& grid, const Functions& frfs) {
   });
 }
 
-// A direction and its opposite are one degree of freedom. The sensors of a roving set need no common names. Signs and
-// names count only where channels are the same without them.
+// A direction and its opposite are one degree of freedom. Names tell fixed sensors apart. The names of roving sensors,
+// and all signs, count only where channels are the same without them.
 void choose_channel_key(Grid& grid, const Functions& frfs) {
   for (const auto& [by_name, by_sign] : {std::pair{false, false}, std::pair{true, false}, std::pair{true, true}}) {
     if (!by_name && !grid.sensor_roves) continue;

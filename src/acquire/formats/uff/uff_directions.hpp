@@ -32,7 +32,8 @@ class UffStruckPoints {
   /// The point of a force, without the offset of the nodes.
   std::int64_t point(const UffDof& struck) const;
   bool several_per_node() const { return step_ > 0; }
-  /// "a node was struck in several directions: point n is node n in x, 100 + n in y".
+  /// "a node was struck in several directions, each of which is a point: point n is node n in x, 100 + n is node n in
+  /// y".
   std::string note() const;
 
  private:

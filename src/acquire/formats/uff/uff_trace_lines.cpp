@@ -24,7 +24,7 @@ constexpr std::array<std::array<int, 2>, 12> kBrick{
 
 // Elements have two lines. Beams have three: the second one states the orientation.
 bool is_beam(std::int64_t kind) { return kind == 11 || (kind >= 21 && kind <= 24); }
-// Plane stress and strain, plates, membranes, axisymmetric solids, thin and thick shells: nodes go around.
+// Plane stress and strain, plates, membranes, axisymmetric solids, thin shells: nodes go around.
 bool is_face(std::int64_t kind) { return kind >= 41 && kind <= 96; }
 
 Edges edges_of_solid(std::int64_t kind) {
