@@ -11,8 +11,8 @@ namespace percuss::batch {
 bool is_pattern(const std::string& name);
 
 /// The files of a batch. Each argument is a file, a folder or a pattern with * ? [ ]. From a folder and its
-/// sub-folders, all files with the extension of a record are taken, except hidden files. The files of one folder or
-/// pattern are in natural order, "hit2" before "hit10".
+/// sub-folders, all files with the extension of a record are taken, except hidden files and files in hidden folders.
+/// The files of one folder or pattern are in natural order, "hit2" before "hit10".
 struct RecordFiles {
   std::vector<std::string> paths;     // each once, absolute or relative to the working folder
   std::vector<std::string> left_out;  // files in the named folders, with other extensions

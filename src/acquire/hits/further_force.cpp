@@ -102,8 +102,8 @@ class ForceSearch {
     threshold_ = std::max({kNoise * std::max(white, measured), kMinFraction * main_, kSteps * resolution_of(force_)});
   }
 
-  // The end of the force that continues from `end` without a pause. Ringing pauses while it pulls. A long pull is the
-  // undershoot of an AC-coupled channel.
+  // The end of the force that continues from `end` without a pause. A pull is no pause, because ringing pulls between
+  // its pushes. But a pull longer than kMaxPull pauses is the undershoot of an AC-coupled channel.
   std::size_t end_of_activity(std::size_t end) const {
     const auto pause = static_cast<std::size_t>(std::max(kMaxPause * width_, static_cast<double>(kMinGuard)));
     const double single = std::max(kNoise * noise_N_, threshold_);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 18;  // samples per task
 constexpr std::size_t kPart = std::size_t{1} << 15;   // samples per read: 256 KiB stay in the cache
-// A block of the envelope lasts 10 ms, but has at least 8 and at most 64 samples. Short blocks keep neighbouring hits
-// apart at low sampling rates.
+// A block of the envelope has the largest power of two of samples within 10 ms, but at least 8 and at most 64. Short
+// blocks keep neighbouring hits apart at low sampling rates.
 constexpr double kBlock_s = 0.01, kMinBlock = 8, kMaxBlock = 64;
 constexpr std::size_t kNoiseSamples = 1024;  // per chunk: give a standard deviation to 4 %
 

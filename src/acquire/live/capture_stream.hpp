@@ -48,7 +48,7 @@ class CaptureStream final : public SampleStream, public SessionLog {
   StreamEnd end() const override;
   void stop() override;
 
-  /// The event is on its way to the disk when this returns; on a full disk it waits until there is room.
+  /// The event is in the file when this returns. Where the disk is full, the event waits in memory until there is room.
   void append_event(const std::string& json) override;
   /// Begins the samples of the journal at this frame, which lies before the first trigger, or at the oldest frame in
   /// memory if that is later.

@@ -74,7 +74,7 @@ struct DeviceOptions {
   std::optional<std::size_t> channels;  // open at least so many; a device that always delivers all ignores it
   bool fast = false;                    // a simulated or replayed device need not keep to real time
   std::uint64_t start_frame = 0;        // simulated and replayed devices begin here: where a session was interrupted
-  std::vector<ChannelSetup> setup{};    // for a replayed file that does not tell its force, or states other units
+  std::vector<ChannelSetup> setup{};    // the user's: open_file_device and open_pipe_device say what it changes
 };
 
 /// For samples whose rate nobody can choose.

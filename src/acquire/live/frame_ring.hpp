@@ -25,12 +25,12 @@ struct RingRange {
   std::uint64_t index = 0;
   std::size_t frames = 0;
   std::uint64_t first_frame = 0;
-  bool overrun = false;  // the device states a loss just before the first frame
+  bool overrun = false;  // just before the first frame, a buffer of the device or this ring overflowed
 };
 
 /// A ring of frames between one producer, which calls the members of FrameSink, and one consumer, which calls the
-/// others. It keeps the device's numbers, allocates in the constructor only, and has no locks. When it is full, the
-/// producer drops and counts. Several threads may act as the consumer if they exclude one another; read() needs no
+/// others. It keeps the device's numbers and has no locks; the producer's members allocate nothing. When it is full,
+/// the producer drops and counts. Several threads may act as the consumer if they exclude one another; read() needs no
 /// exclusion as long as nobody releases its frames.
 class FrameRing final : public FrameSink {
  public:

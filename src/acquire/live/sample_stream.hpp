@@ -13,10 +13,10 @@ struct StreamFormat {
   std::string device;  // for people: "sim:aluminium-bat", "USB Audio CODEC"
   double fs_Hz = 0;
   std::size_t channels = 0;
-  std::vector<std::string> names;   // [channels]; may be empty
-  std::vector<std::string> units;   // [channels], of the delivered numbers: "V", "N", "m/s^2"; empty: full scale is 1
-  double full_scale = 0;            // the largest |value| that the device can deliver; 0: not known
-  std::vector<double> full_scales;  // [channels], where they differ; `full_scale` is then the first channel's
+  std::vector<std::string> names;      // [channels]; may be empty
+  std::vector<std::string> units;      // [channels], of the delivered numbers: "V", "N", "m/s^2"; empty: none is stated
+  double full_scale = 0;               // the largest |value| that the device can deliver; 0: not known
+  std::vector<double> full_scales;     // [channels], where they differ; `full_scale` is then the first channel's
   std::vector<std::size_t> numbers{};  // [channels], of the device, from 1; empty: 1, 2, …
   std::uint64_t pause_frames = 0;      // from row to row of a replayed record; no frame exists there
 
@@ -31,7 +31,7 @@ struct SampleBlock {
   std::uint64_t first_frame = 0;  // by the device's count since its start; a jump is a loss or a pause
   std::size_t frames = 0;
   std::vector<double> values;  // [frames × channels], interleaved
-  bool overrun = false;        // the device states that it lost samples before this block
+  bool overrun = false;        // a buffer of the device or of percuss overflowed before this block
 };
 
 enum class StreamEnd { none, finished, unplugged, rate_changed, failed };
@@ -62,7 +62,8 @@ class SessionLog {
   SessionLog& operator=(const SessionLog&) = delete;
   virtual ~SessionLog() = default;
 
-  /// Appends one event, a JSON text: a verdict, a key, a point. It survives a kill at any later moment.
+  /// Appends one event, a JSON text: a verdict, a key, a point. It survives a kill at any later moment, unless the disk
+  /// is full.
   virtual void append_event(const std::string& json) = 0;
 };
 

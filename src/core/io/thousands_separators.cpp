@@ -51,7 +51,7 @@ struct ColumnCells {
     if (grouping == Grouping::certain) ++certain;
     if (grouping == Grouping::certain || (grouping == Grouping::possible && example.empty())) example = cell;
   }
-  // `quoted_commas`: the numbers are quoted because the comma also separates cells. Nobody writes decimals so.
+  // `quoted_commas`: the numbers are quoted because the comma also separates cells. Decimals are rarely written so.
   bool holds_separators(bool quoted_commas) const {
     return certain >= kMinCells || (other == 0 && possible >= kMinCells && (whole >= kMinCells || quoted_commas));
   }

@@ -28,7 +28,7 @@ struct ModeClassification {
   std::optional<SplitMode> split_mode;
 };
 
-/// Relative distance below which a bending mode may have two frequencies, in its two planes.
+/// Relative distance below which two frequencies may belong to one mode of a tube, in its two planes.
 inline constexpr double kPairSpacing = 0.04;
 
 /// What was struck. Bending and hoop are types of a tube's modes only. automatic: a tube where the sensors' angles are

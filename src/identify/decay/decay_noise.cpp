@@ -20,8 +20,8 @@ constexpr double kResolution = 1e-5;  // of the RMS: less than recorders' noise,
 // The median of a mean of `hits` exponential variables, over its expectation (Wilson and Hilferty).
 double median_of_mean(double hits) { return hits == 1 ? std::log(2.0) : std::pow(1 - 1 / (9 * hits), 3); }
 
-// Blocks of lines, and where their centres lie. A mode's width and the slope of the noise change in proportion to the
-// frequency: the blocks at low lines are smaller.
+// Blocks of lines, and where their centres lie. A mode's width, and the range over which the level of the noise
+// changes, grow in proportion to the frequency: the blocks at low lines are smaller.
 class Blocks {
  public:
   explicit Blocks(Index lines) {
