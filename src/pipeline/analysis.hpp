@@ -152,7 +152,7 @@ class Analysis {
   Lazy<std::vector<identify::Mode>> modes_;
   mutable std::vector<identify::Mode> margin_modes_;  // below the band; set with modes_
   mutable std::vector<identify::Mode> band_modes_;    // all within the band, if modes_ holds a part of them
-  // unmodelled_poles of all modes, where the search for hidden modes found none; set with modes_
+  // unmodelled_poles of all modes, where the search around unmodelled resonances added no mode; set with modes_
   mutable std::optional<std::vector<identify::Pole>> searched_poles_;
   Lazy<std::vector<identify::Mode>> modes_below_;
   Lazy<std::vector<identify::ModeClassification>> types_;  // their orders leave out lower_orders()

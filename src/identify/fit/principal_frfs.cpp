@@ -22,7 +22,8 @@ constexpr Index kColumnsPerTask = 16;
 constexpr std::size_t kFlopsPerCopiedLine = 10;
 constexpr std::size_t kMaxUsedLines = 1500;  // the strongest lines are used
 
-// Each FRF divided by its noise, at the lines above the noise. Shape [2 lines, channels]: real parts, then imaginary.
+// Each FRF divided by its noise, at the lines above the noise, and at the 2·channels strongest lines in any case.
+// Shape [2 lines, channels]: real parts, then imaginary.
 MatrixXd lines_above_noise(const FrfDataset& set, const VectorXd& noise) {
   const std::size_t lines = set.lines.count;
   std::vector<std::pair<double, std::size_t>> level(lines);

@@ -12,7 +12,8 @@ namespace percuss::identify {
 /// information and the residual's covariance (sandwich). A further term lets frequency and damping change along the
 /// decay. If it clearly improves the fit, the standard deviations are at least the shift that it causes in the pole.
 /// Where the points scatter beyond the noise, the standard deviations are at least as large as this scatter makes them.
-/// Modes with frequency scatter, and all modes under an exponential window, stay unchanged. Modes ascend in frequency.
+/// Modes with frequency scatter, the other modes of their windows, and all modes under an exponential window stay
+/// unchanged. Modes ascend in frequency.
 /// theory (4.20)
 void add_misfit(const FrfDataset& set, std::vector<Mode>& modes);
 

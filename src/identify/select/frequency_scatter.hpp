@@ -33,7 +33,7 @@ std::optional<Pole> merge_if_scattered(const WindowedFit& all, const FitGroup& g
 
 /// A mode whose frequency scatters between the points: the weighted mean of the separate fits, with the standard
 /// deviation of that mean. The weights contain each fit's variance and the variance between the points. The residues
-/// come from the separate fits.
+/// come from the separate fits at the points that observe the mode, and from the common fit at the other points.
 /// theory (4.15)
 struct ScatteredMode {
   Pole pole;

@@ -18,7 +18,7 @@ struct Node {
 
 struct NodeOptions {
   std::size_t points = 17;  // in a fit, the nearest to the crossing
-  /// Degree 4 follows a beam's shape over half a wavelength to 1e-3 of its height; degree 5 gives its model error.
+  /// Degree 4 follows a sine over half a wavelength to 5e-3 of its height; degree 5 gives its model error.
   int highest_degree = 5;
 };
 

@@ -13,7 +13,7 @@ namespace percuss::identify {
 /// start values; a count larger than the number of modes adds poles that follow noise. Lines are averaged over
 /// `resolution_Hz`, a fraction of the narrowest bandwidth, and weighted by their noise (LineNoise). Truncation of the
 /// decays is ignored.
-/// Returns the poles within the lines, ascending; fewer than `count`. Empty where there are too few lines for so many.
+/// Returns the poles within the lines, ascending, at most `count`. Empty where there are too few lines for so many.
 /// source  [23], [24] in docs/theory/sources.md.
 /// theory (4.26)
 std::vector<Pole> vector_fitting_poles(const FrfDataset& set, std::size_t count, double resolution_Hz);

@@ -17,8 +17,8 @@ struct RobustSlope {
 };
 
 /// The slope b of y ≈ b·x. Values weigh 1/(σ² + s²), with the scatter s of the residuals beyond σ, and far values weigh
-/// less. For n values, let e be the rms of the residuals, and e0 their rms for b = 0. The chance is (e/e0)^(n − 1), the
-/// tail of the F test.
+/// less. For n values, let e be the rms of the residuals, and e0 their rms for b = 0. The chance is (e/e0)^(n − 1), a
+/// bound of the tail of the F test.
 /// shapes  x, y, std [n], n ≥ 2
 RobustSlope robust_slope(std::span<const double> x, std::span<const double> y, std::span<const double> std);
 

@@ -16,7 +16,7 @@ enum class RovingPart { hammer, sensor };
 /// "point 7 of 24, blow 3 of 5", "point 12 (7 of 24), blow 3 of 5" where the number of the point is not its place in
 /// the plan; without the point where there is one only. "a further blow (4)" where there are as many as planned.
 std::string place_text(const SessionPlan& plan, int point, std::size_t blow);
-/// What to do next: "strike: blow 3 of 5", "move the hammer to point 8 of 24", "paused".
+/// What to do next: "strike: blow 3 of 5", "move the hammer to point 8 of 24, then strike", "finished".
 std::string prompt_text(const SessionState& session, RovingPart roving);
 /// One line: place, number of the hit in the file where that is another, verdict, reason and remedy, or what the blow
 /// reached and advice about the range.

@@ -1,4 +1,4 @@
-// The verdict on a blow, and what is known of the blow before.
+// The verdict on a blow, and its circumstances (BlowCircumstances).
 #include <algorithm>
 #include <cmath>
 #include <numbers>

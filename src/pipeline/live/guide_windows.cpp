@@ -35,7 +35,7 @@ std::uint64_t Guide::window_start(const BlowEvent& event) const {
   return start;
 }
 
-// The samples from the blow to the next blow, or to lost samples.
+// The frame at which the samples of the next blow begin, or samples were lost; otherwise the newest frame.
 std::uint64_t Guide::undisturbed_end(const Window& window) const {
   std::uint64_t end = history_.end_frame();
   if (windows_.size() > 1) end = std::min(end, windows_[1].first);
