@@ -26,7 +26,7 @@ Direction normal_at(const acquire::GeometryPoint& point, std::size_t axis) {
   return out;
 }
 
-// Equation (1), for components that all have a direction; nothing where the directions do not span the normal.
+// Equation (1), for components that all have a direction; nothing where Σ c_i d_i is not the normal.
 std::optional<identify::ShapePlace> combined(const Components& components, const Direction& normal) {
   constexpr double kRounding = 1e-6;
   Direction rest = normal;

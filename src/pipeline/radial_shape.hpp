@@ -10,8 +10,8 @@ namespace percuss::pipeline {
 /// A shape's components along the outward normals n of a tube, one per place, from components along stated directions
 /// d_i (unit vectors):
 ///   Σ c_i φ_i, where Σ c_i d_i = n and c_i = d_i·n                                                        (1)
-/// Where the directions at a place do not span n, the component whose direction is within 45° of n counts as radial,
-/// with the sign of c_i. Other places are left out. A component without a stated direction is radial.
+/// Where Σ c_i d_i is not n, the component whose direction lies nearest to the line of n, and within 45° of it, counts
+/// as radial, with the sign of c_i. Other places are left out. A component without a stated direction is radial.
 /// Where all points move along one line that is not radial everywhere, such as the tube's axis, the components are
 /// returned as they are: they have the same circumferential orders.
 /// motions  sorted; geometry  a tube

@@ -60,7 +60,7 @@ bool knows_all(const NumberMeaning& meaning, const std::vector<StatedDrivingPoin
                      [&](const auto& at) { return !at.file.empty() || meaning.point_of.contains(at.point); });
 }
 
-// The point's file, or its numbers where one file holds all points.
+// The point's file where each file is one point, else its numbers.
 std::string point_text(int point, const PointNumbering& numbering) {
   if (!numbering.files.empty()) return file_name_of(numbering.files.at(static_cast<std::size_t>(point)));
   return numbering.geometry_from_one ? fmt::format("point {} of the record, {} of the geometry", point, point + 1)

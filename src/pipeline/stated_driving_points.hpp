@@ -30,7 +30,7 @@ struct PointNumbering {
 std::vector<std::string> files_of_points(const acquire::Record& record, const std::set<int>& points);
 
 /// The numbers in names that differ in one whole number only: 1, 2, 10 for P1.csv, P2.csv, P10.csv. Nothing for other
-/// names, and for numbers above 10⁸.
+/// names, and for numbers of more than nine digits.
 std::optional<std::vector<int>> numbers_in_names(const std::vector<std::string>& names);
 
 struct DrivingPoints {
@@ -38,8 +38,9 @@ struct DrivingPoints {
   std::vector<Warning> warnings;               // driving_point_numbers: a number has several meanings
 };
 
-/// Finds the points that the user means. Where files are points, a number is that of the file's name, else that of a
-/// geometry that counts from 1. Otherwise, and where these lack one of the numbers, it is the record's.
+/// Finds the points that the user means. The numbers have the first of these meanings in which all of them exist. Where
+/// files are points: the numbers in the files' names, those of a geometry that counts from 1, the record's. Otherwise:
+/// the record's, those of such a geometry.
 /// errors  InputError: a number or a file of no point.
 DrivingPoints driving_points_of(const std::vector<StatedDrivingPoint>& stated, const PointNumbering& numbering,
                                 const std::string& source);

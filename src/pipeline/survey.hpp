@@ -27,8 +27,8 @@ struct SurveyOptions {
   std::string geometry_source{};                     // file of the geometry, for messages; empty: none
 };
 
-/// A test of many points: mode shapes from the modes' residues and the points' positions. Each result is computed when
-/// first demanded, and kept. `analysis` must outlive it. Not for use by several threads at once.
+/// A test of many points: mode shapes from the modes' residues and the points' positions. Costly results are computed
+/// when first demanded, and kept. `analysis` must outlive it. Not for use by several threads at once.
 class Survey {
  public:
   /// errors  InputError: a measured point that the given geometry lacks; a driving point that was not measured.

@@ -137,7 +137,7 @@ void OnlineTrigger::measure_noise(std::size_t samples) {
   measure_drift(recent);
   baseline_N_ = median(std::move(recent));
   baseline_at_ = static_cast<double>(stepped_ + samples) - static_cast<double>(count * step_) / 2;
-  // A coarse converter toggles between few values: its robust deviation is 0, its deviation is not.
+  // A coarse converter toggles between few values: its robust standard deviation is 0, its standard deviation is not.
   noise_N_ = std::max(median(std::move(robust)), root_of_smaller_half(std::move(variances)));
 }
 

@@ -10,6 +10,7 @@ namespace percuss::pipeline {
 ///   no_force         results that need a force are missing
 ///   no_free_decay    no impact can be used
 ///   response_clipped, cut_decay, disturbed_decay  the decays are used in part
+///   disturbed_decay  also where the motion is no sum of free decays
 ///   uneven_decay     a mode whose decay is not exponential
 ///   tone             sinusoids that do not decay
 ///   pair_or_scatter  one mode whose frequency differs between the hits, or two close modes

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kMinQuiet = 64;  // samples before a hit: they determine the noise to a tenth
 constexpr std::size_t kMinPoints = 3;  // of a survey that shows what is usual
-constexpr double kClearHeight = 30;    // the same of a response that clearly rises above its noise
-constexpr double kNoiseExtreme = 6;    // standard deviations; a million samples of white noise reach 5
+constexpr double kClearHeight = 30;    // standard deviations of the noise, which a clear response reaches
+constexpr double kNoiseExtreme = 6;    // the same, which noise does not reach: a million samples of white noise reach 5
 
 // Indices of the accepted hits in which the channel is constant, and whether it moves in another one.
 struct DeadHits {
@@ -36,7 +36,7 @@ DeadHits dead_hits(const std::vector<AnalysedHit>& hits, std::size_t channel) {
   return out;
 }
 
-// The coarsest step over the accepted hits, as a fraction of the channel's largest response.
+// The coarsest step over the accepted hits, as a fraction of the channel's largest response to the same hit.
 double coarsest_step(const std::vector<AnalysedHit>& hits, std::size_t channel) {
   double step = 0;
   for (const AnalysedHit& hit : hits) {

@@ -13,8 +13,8 @@ std::vector<Warning> input_warnings(const acquire::Record& record);
 /// dead_channel, coarse_steps, channel by channel.
 std::vector<Warning> channel_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
 
-/// dead_channel for each channel whose samples stay in its noise at every accepted hit. For tests in which no mode
-/// rises above the noise: a mode may be found in responses that do not.
+/// dead_channel for each channel whose samples stay in its noise at every accepted hit. For tests in which no mode was
+/// found: a mode can be found even in responses of which no sample rises above the noise.
 std::vector<Warning> silent_response_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                               const HitResponses& responses);
 
@@ -24,7 +24,7 @@ struct SilentPoint {
   std::size_t channel = 0;
   std::vector<std::size_t> hits;
 };
-/// The points of a survey at which a channel stays in its noise, although it clearly responds at most points.
+/// The points of a survey at which a channel stays in its noise, although it clearly responds to most hits.
 std::vector<SilentPoint> silent_points(const std::vector<AnalysedHit>& hits, const HitResponses& responses);
 /// dead_channel for these points.
 std::vector<Warning> silent_point_warnings(const acquire::Record& record, const std::vector<SilentPoint>& silent);

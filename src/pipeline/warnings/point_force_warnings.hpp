@@ -7,10 +7,11 @@
 
 namespace percuss::pipeline {
 
-/// Points whose accepted hits have a median force that is at least 25 times smaller or larger than at most points, with
-/// no point in between:
-///   units_differ  their responses do not differ as the forces do, so that the force has another unit or scale there
-///   weak          the forces are smaller, and the responses nearly as much
+/// Groups of points whose accepted hits have a median force that is at least 25 times smaller or larger than in the
+/// largest group. In ascending order of force, a factor of more than 10 lies between the groups:
+///   units_differ  their responses differ in this direction by less than a factor of 10, so that the force has another
+///                 unit or scale there
+///   weak          the forces are smaller, and the responses by a factor of 10 or more, too
 /// Empty where the responses were not read, and for a test of one point.
 std::vector<Warning> point_force_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
 

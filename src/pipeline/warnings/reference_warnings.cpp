@@ -32,7 +32,7 @@ std::string cause(double factor, const std::string& first, const std::string& se
   return "the scale of one of them was different";
 }
 
-// "at points 14, 15, 16, it is about -1 times this (one of them was reversed)"
+// "at points 14, 15, 16 it is -1 times this: one of them was reversed there"
 std::string group_text(const std::string& cause, const std::vector<ReferenceContradiction>& points) {
   std::vector<double> factors;
   for (const ReferenceContradiction& at : points) factors.push_back(at.factor);

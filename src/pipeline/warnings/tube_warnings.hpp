@@ -12,7 +12,7 @@ namespace percuss::pipeline {
 ///   midway_hit          all ratios are about −1, so that bending and hoop look alike, or about +1, so that hoop modes
 ///                       have nodes at both sensors
 ///   reversed            ratios of about +1 in place of the −1 of hoop modes
-///   units_differ        ratios of about ±9.81 or ±10 in place of the −1 of hoop modes
+///   units_differ        ratios of about −9.81 or −10, or their inverses, in place of the −1 of hoop modes
 ///   angles_contradicted the ratios do not fit the stated angles
 ///   order_missing       the two lowest bending modes are closer than the first two of a tube
 /// `complete`: the modes are all modes of the band.

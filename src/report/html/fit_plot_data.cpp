@@ -93,7 +93,7 @@ std::vector<std::size_t> drawn_lines(const acquire::LineRange& band, const std::
     for (std::size_t k = 0; k < band.count; ++k) lines.push_back(k);
     return lines;
   }
-  // Resonance curves as densities: half of the lines for all of them together.
+  // Resonance curves as densities: up to half of the lines for all of them together.
   constexpr double kWidths = 2, kMinHalfWidth = 2;  // half-power bandwidths; lines
   const auto count = static_cast<double>(band.count);
   std::vector<double> density(band.count, 1 / count);

@@ -9,9 +9,9 @@
 
 namespace percuss::report {
 
-/// Lines of the band at which curves are drawn: all, or up to `limit` of them, half of which are spread evenly and half
-/// lie around the modes and the peaks that no mode explains. The lines at the tops of these are always added.
-/// Ascending, with the first and the last line.
+/// Lines of the band at which curves are drawn: all, or up to `limit` of them. At least half of these are spread
+/// evenly; the others lie around the modes and the peaks that no mode explains. The lines at the tops of the modes and
+/// peaks are always added. Ascending, with the first and the last line.
 std::vector<std::size_t> drawn_lines(const acquire::LineRange& band, const std::vector<identify::Mode>& modes,
                                      const std::vector<identify::UnmodelledPeak>& peaks, std::size_t limit);
 

@@ -70,7 +70,8 @@ bool has_event_handler(std::string_view lower) {
   return false;
 }
 
-// Whether every occurrence of `word` is followed, after blanks and quotes, by a "#": a reference within the picture.
+// Whether every occurrence of `word` is followed by a "#", a reference within the picture. Blanks, quotes, "=" and "("
+// may stand between them.
 bool only_local(std::string_view lower, std::string_view word) {
   for (std::size_t at = lower.find(word); at != std::string_view::npos; at = lower.find(word, at + 1)) {
     const std::size_t next = lower.find_first_not_of(" \t\r\n=\"'(", at + word.size());

@@ -5,7 +5,8 @@
 
 namespace percuss::report {
 
-/// The options of an analysis that differ from their defaults, except band and effort, which are members of their own.
+/// The user's options that act on the results, where they differ from their defaults. Without band and effort, which
+/// are members of their own.
 nlohmann::ordered_json options_json(const pipeline::AnalysisOptions& options);
 
 }  // namespace percuss::report

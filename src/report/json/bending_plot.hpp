@@ -8,7 +8,7 @@ namespace percuss::report {
 /// A node of a bending mode.
 struct BendingNode {
   double z_m = 0, std_m = 0;
-  std::string text;  // "6.31 ± 0.02 in, 160.3 ± 0.5 mm"
+  std::string text;  // "6.311 ± 0.020 in, 160.30 ± 0.51 mm"
 };
 
 /// One bending mode along a bat: deflection y at z_m, 1 at its largest.

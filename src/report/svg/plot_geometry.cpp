@@ -52,8 +52,9 @@ bool on_tube(const pipeline::Survey* survey) {
   return survey != nullptr && survey->geometry() && survey->geometry()->tube;
 }
 
-// The direction of a positive response as the record states it: of the point, else of the sensor or the hammer. A
-// stated angle of a sensor comes first, and the motion of a tube without a direction at its points is radial.
+// The direction of a positive response as the record states it: of the point, else of the sensor or the hammer. For a
+// point without a direction, nothing on a tube, where the motion is radial, and nothing for a sensor with a stated
+// angle, which takes precedence.
 std::optional<acquire::Direction> stated_direction(const pipeline::Analysis& analysis, std::size_t point,
                                                    std::size_t channel, bool sensors, bool tube) {
   const acquire::Record& record = analysis.record();

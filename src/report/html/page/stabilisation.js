@@ -20,7 +20,7 @@ const stabilisationMark = (context, mark, x, y) => {
   context.globalAlpha = 1;
 };
 
-// Draws the strongest FRF at each frequency behind the poles, over the height of the plot.
+// Draws, at each frequency, the strongest of the page's FRF curves behind the poles, over the height of the plot.
 const frfBehind = (u) => {
   const frf = data.frf;
   if (!frf || !frf.curves.length) return;
