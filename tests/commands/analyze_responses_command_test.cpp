@@ -73,7 +73,7 @@ TEST_F(AnalyzeResponses, DrawsTheDecaysWithTheirFit) {
   EXPECT_EQ(page.find(">Provenance</h2>", heading + 1), std::string::npos);
 }
 
-// A microphone measures a pressure, which has modes, but no deflection and no FRF in percuss's units.
+// A microphone measures a pressure. It shows the modes, but gives no deflection and no FRF in percuss's units.
 TEST_F(AnalyzeResponses, TakesSoundPressures) {
   const auto document_of = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "analyze");
@@ -105,8 +105,8 @@ TEST_F(AnalyzeResponses, TakesSoundPressures) {
               HasSubstr("measures a pressure, not an acceleration"));
 }
 
-// Volts and a sensitivity in mV/Pa give the same pressures as a record in Pa, as option and as set-up, for text, sound
-// and MAT files, which a sandbox decodes.
+// Volts and a sensitivity in mV/Pa, as an option or in a set-up, give the same pressures as a record in Pa. The
+// option also gives pressures for a sound file, which a sandbox decodes.
 TEST_F(AnalyzeResponses, TakesSensitivitiesOfMicrophones) {
   std::string pascals = "mic_Pa\n", volts = "mic_V\n";
   for (const double x : test::ping(1e-3)) {

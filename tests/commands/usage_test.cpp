@@ -161,7 +161,7 @@ TEST(Usage, AcceptsAFileNamedLikeAnOption) {
   EXPECT_THAT(outcome.err, HasSubstr("no such file (--bnad)"));
 }
 
-// Every option, with two letters swapped.
+// Every option of at least four letters, with two of them swapped.
 TEST(Usage, SuggestsEveryMistypedOption) {
   std::set<std::string> tried;
   for (const auto& command : test::commands()) {

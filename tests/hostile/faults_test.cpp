@@ -83,7 +83,8 @@ TEST_F(Faults, OfMemoryGiveOneLineAndNoFile) {
   expect_all_or_nothing({"convert", kCorpus + "uff/record.uff", "--quiet"}, "out.mat", kStep);
 }
 
-// The heap reserves half a GiB of addresses for large pages. Where a limit denies them, it grows in small steps.
+// The heap reserves half a GiB of addresses for large pages, at most a quarter of a limit. Where this is less than
+// 64 MiB, it grows in small steps.
 TEST_F(Faults, OfAddressSpaceDoNotChangeASmallTest) {
   const test::ScratchFolder inputs;
   test::write_small_test(inputs.file("record.h5"));

@@ -49,7 +49,7 @@ TEST(ClippedSamples, CountClippedPeaks) {
   }
 }
 
-// A pulse of six samples whose upper half is clipped keeps two samples at the limit.
+// A pulse of four samples whose upper half is clipped keeps two samples at the limit.
 TEST(FlatPair, IsAClippedShortPulse) {
   for (const double sign : {1.0, -1.0}) {
     const std::vector<double> clipped{0.01, -0.02, 21.3 * sign, 90.0 * sign, 90.0 * sign, 15.2 * sign, 0.03, -0.01};

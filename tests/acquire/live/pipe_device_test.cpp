@@ -34,7 +34,7 @@ std::string bytes_of_numbers(Numbers... numbers) {
   return out;
 }
 
-/// A pipe that a thread fills, a few bytes at a time.
+/// A pipe that a thread fills in pieces of `piece` bytes.
 class FilledPipe {
  public:
   explicit FilledPipe(std::string bytes, std::size_t piece = 7) {

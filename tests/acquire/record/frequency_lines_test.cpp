@@ -35,7 +35,7 @@ double error_of(double df_Hz, std::size_t first, std::size_t count, const char* 
   return std::abs(found.lines.df_Hz() / df_Hz - 1);
 }
 
-// The last frequency alone gives 0.7812506, 0.7812501 and 1.25006 Hz.
+// In the first three cases, the last frequency divided by its number is 0.7812506, 0.7812501 and 1.25006 Hz.
 TEST(FrequencyLines, FindsARoundSpacingOfRoundedFrequencies) {
   EXPECT_LE(error_of(0.78125, 0, 2048, "{:.2f}"), kDoubles);
   EXPECT_LE(error_of(0.78125, 0, 2048, "{:.3f}"), kDoubles);
@@ -67,7 +67,7 @@ TEST(FrequencyLines, FindsARoundSpacingInHzOrInTheUnitOfTheFile) {
   EXPECT_NEAR(spacing_Hz(0.125, 1 / 60.0), 0.125 / 60, 0.002 * kDoubles);
 }
 
-// 0.123456 Hz has as many digits as any number within the limits.
+// 0.618034 Hz, the roundest spacing within the limits, has as many digits as a random number there needs.
 TEST(FrequencyLines, TakesTheMiddleOfTheLimitsWithoutARoundSpacing) {
   constexpr double kSpacing_Hz = 0.61803398875;
   const FrequencyLines found = frequency_lines(written(kSpacing_Hz, 0, 300, "{:.2f}"), 1, "x");
@@ -82,7 +82,7 @@ TEST(FrequencyLines, NotesARoundedSpacing) {
   EXPECT_THAT(frequency_lines(written(0.3125, 0, 4097, "{:.2f}"), 1, "x").note, IsEmpty());
 }
 
-// Their spacing is the last frequency by its number, to the last bit.
+// Their spacing is the last frequency divided by its number, to the last bit.
 TEST(FrequencyLines, KeepsFrequenciesThatAreNotRounded) {
   for (const double df_Hz : {0.5, 1.0 / 3, 0.61803398875, 3.0}) {
     std::vector<double> numbers;
@@ -116,7 +116,7 @@ TEST(FrequencyLines, RefusesLinesBetweenMultiples) {
   EXPECT_THAT(input_error_of([&] { frequency_lines(numbers, 1, "x"); }), HasSubstr("not a multiple"));
 }
 
-// Their multiples and inverses are infinite; the conversion of their exponents to int would be undefined.
+// Multiples of such numbers may be infinite; the conversion of the exponent of infinity to int would be undefined.
 TEST(FrequencyLines, AcceptsNumbersAtTheLimitsOfDoubles) {
   for (const double unit : {1e307, 1e-307}) {
     EXPECT_EQ(frequency_lines({0, 1.01 * unit, 2 * unit}, 1, "x").lines.df_Hz(), unit);

@@ -61,8 +61,8 @@ TEST(JsonText, KeepsOnlyTheWantedKeys) {
   EXPECT_TRUE(json_if_valid<nlohmann::json>("[1,]", kWanted).is_null());
 }
 
-// As a JSON value, each of these texts would take 20 to 50 times its size. Such a value is refused; under a key
-// that is not wanted it is skipped.
+// The reader counts 32 to 43 bytes of values for each byte of these texts, and refuses them. Under a key that is not
+// wanted, it skips them.
 TEST(JsonText, TakesMemoryInProportionToItsLength) {
   constexpr std::size_t kItems = 4'000'000;
   for (const std::string& item : {std::string("{}"), std::string("0"), std::string("[]")}) {

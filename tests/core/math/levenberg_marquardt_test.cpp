@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Stop = LevenbergMarquardtStop;
 
-constexpr double kRounding = 1e-14;     // relative; a few hundred roundings
+constexpr double kRounding = 1e-14;     // relative; about a hundred roundings
 constexpr double kCostRounding = 1e-6;  // standard deviations; rounding of the cost hides steps below √(30 ε) = 8e-8
 constexpr double kCertified = 1e-10;    // relative; the certified values have 11 digits
 constexpr double kStdTolerance = 1e-6;  // relative; follows the parameters' own error

@@ -58,7 +58,7 @@ TEST(BracketedRoot, DoesNotDependOnTheSignOfTheFunction) {
 }
 
 TEST(BracketedRoot, NeedsFewEvaluationsOfASmoothFunction) {
-  constexpr int kFew = 40;  // for 1/x over six decades; bisection needs 70
+  constexpr int kFew = 40;  // for 1/x over six decades; bisection needs 66
   for (const Bracketed& one : simple_roots()) {
     int calls = 0;
     bracketed_root(counted(one.f, calls), one.low, one.high);

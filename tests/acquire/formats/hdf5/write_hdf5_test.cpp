@@ -24,7 +24,7 @@ constexpr double kAngleTolerance_rad = 1e-15;  // degrees in the file: two round
 
 class Hdf5Write : public testing::Test {
  protected:
-  /// A record of `rows` hits on `channels` channels. No sample has a short decimal form.
+  /// A record of `rows` hits on `channels` channels. Only the first sample of the force, 0, has a short decimal form.
   static Record make_record(std::size_t rows, std::size_t channels, std::size_t samples) {
     const auto signal = [samples](double seed) {
       std::vector<double> values(samples);
