@@ -21,7 +21,7 @@ acquire::Geometry ring() {
 }
 double radial_at(int point) { return std::cos(2 * point * pi / 4); }
 
-// The radial motion of each point seen along `along(point)`.
+// The radial motion at each place, as sensors along the directions of `motions` measure it.
 identify::ModeShape seen_along(const std::vector<PointMotion>& motions) {
   identify::ModeShape shape;
   for (const PointMotion& motion : motions) {

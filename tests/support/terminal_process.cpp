@@ -84,7 +84,7 @@ bool TerminalProcess::has_echo_and_lines() const {
   return ::tcgetattr(master_, &mode) == 0 && (mode.c_lflag & ICANON) != 0 && (mode.c_lflag & ECHO) != 0;
 }
 
-// The last reader of a terminal that its programs have closed gets EIO.
+// Reading fails with EIO once the program has closed the terminal.
 bool TerminalProcess::read_some() {
   pollfd file{.fd = master_, .events = POLLIN, .revents = 0};
   ::poll(&file, 1, 20);

@@ -38,8 +38,8 @@ constexpr std::array kNamedCommands = {
 
 }  // namespace
 
-// Declaring all commands takes longer than running many of them. Therefore only the named command is declared, unless
-// the first word is --help, completion, man or an unknown command, which need all.
+// Declaring all commands takes longer than running many of them. Therefore only the named command is declared. Other
+// first words, such as --help, help, completion, man and a mistyped command, need all; --version needs none.
 void add_commands(CommandLine& line, std::string_view first_word) {
   if (first_word == "--version") return;
   for (const NamedCommand& command : kNamedCommands) {

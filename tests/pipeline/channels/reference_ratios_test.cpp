@@ -68,7 +68,8 @@ TEST(ReferenceRatios, DoNotContradictWhereTheModesDisagree) {
   EXPECT_THAT(reference_contradictions(modes), IsEmpty());
 }
 
-// The sensor was mounted the other way round for the last five of twelve points: the smaller group is named.
+// The sensor was mounted the other way round for the last five of twelve points, or for the first seven. Both times,
+// the five points are named, because they are the smaller group.
 TEST(ReferenceRatios, NameTheSmallerGroupOfPoints) {
   for (const bool last : {true, false}) {
     const auto found = reference_contradictions(

@@ -111,7 +111,7 @@ TEST(Guide, ReportsPushesThatAreTooLong) {
     }
   };
   push(0.5, 0.08, 300);
-  push(1.2, 0.07, 200);  // of the same handling
+  push(1.2, 0.07, 200);  // within a second of the first: not reported
   push(2.0, 0.6, 250);   // a hand that leans on the hammer
   push(5.4, 0.08, 9);    // weak: no attempt to strike
   push(6.2, 0.15, 300);

@@ -116,7 +116,7 @@ TEST(OnlineTrigger, FindsABlowThatComesEarly) {
   }
 }
 
-// A hammer whose amplifier settles: its rest moves by much more than the noise.
+// A hammer whose amplifier settles: its baseline moves by much more than the noise.
 TEST(OnlineTrigger, FindsBlowsWhileTheForceDrifts) {
   for (const double drift_Nps : {-20.0, -3.0, 3.0, 20.0}) {
     for (const double fs_Hz : {1000.0, 12800.0, 51200.0}) {
@@ -172,7 +172,7 @@ TEST(OnlineTrigger, StatesTheLastFrameSearched) {
   trigger.add(quiet);
   EXPECT_EQ(trigger.searched_to(), 4096U);
   quiet[100] = 50;
-  trigger.add(std::span(quiet).first(1024));  // the event needs 0.25 s more
+  trigger.add(std::span(quiet).first(1024));  // too few: an event is decided 0.3 s after it begins
   EXPECT_EQ(trigger.searched_to(), 4196U);
   EXPECT_FALSE(trigger.next().has_value());
 }

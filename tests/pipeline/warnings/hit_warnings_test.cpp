@@ -13,7 +13,7 @@ bool warns(double peak_N, const std::string& code) {
   return std::any_of(warnings.begin(), warnings.end(), [&](const Warning& one) { return one.code == code; });
 }
 
-// A force in N that was scaled by 1000, as with V/N in place of mV/N.
+// A force that is 1000 times too large, as where a sensitivity in V/N was stated as mV/N.
 TEST(HitWarnings, DoubtAForceAboveThatOfAllHammers) {
   EXPECT_FALSE(warns(257, "implausible_force"));
   EXPECT_FALSE(warns(22e3, "implausible_force"));

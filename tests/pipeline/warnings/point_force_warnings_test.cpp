@@ -19,7 +19,8 @@ using testing::StartsWith;
 
 constexpr std::size_t kPoints = 12, kHitsPerPoint = 3;
 
-// A survey by hand: the forces of the hits differ by a factor of 8, the responses by a factor of 6 beside.
+// A survey by hand: the forces of the hits differ by a factor of 8. The responses per newton differ by a factor of 6
+// between the points.
 struct GradedTest {
   acquire::Record record;
   std::vector<AnalysedHit> hits;

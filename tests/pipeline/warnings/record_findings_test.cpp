@@ -123,7 +123,7 @@ TEST(RecordFindings, NameChannelsThatDoNotRespond) {
   EXPECT_THAT(analysis.modes(), IsEmpty());
 }
 
-// A channel that does not respond: the extremes of its noise are equal from hit to hit.
+// A channel that does not respond: the extremes of its noise are nearly equal from hit to hit.
 TEST(RecordFindings, NameNoClippingOfNoise) {
   const auto noise = [](std::size_t row, std::size_t channel, std::vector<double>& x) {
     if (channel != 1) return;
@@ -133,9 +133,9 @@ TEST(RecordFindings, NameNoClippingOfNoise) {
       do value = normal(random);
       while (std::abs(value) > 3.5);
     }
-    const double extreme = 4 + 0.02 * static_cast<double>(row);  // nearer samples would be a recorder's limit
+    const double extreme = 4 + 0.02 * static_cast<double>(row);  // extremes nearer to each other would be a limit
     x[kDecay] = extreme;
-    x[kDecay + 1] = -0.98 * extreme;  // equal sides would be one, too
+    x[kDecay + 1] = -0.98 * extreme;  // as would equal positive and negative extremes
   };
   const Analysis analysis(test::with_changed_accel(synth::synthesise(tube()).record, noise), band());
   EXPECT_THAT(codes_of(analysis), Not(Contains("response_clipped")));

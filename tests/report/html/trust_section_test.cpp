@@ -43,7 +43,7 @@ TEST(TrustSection, KeepsWrongResultsOnTop) {
   EXPECT_EQ(warnings.beside(PagePart::response), "");
 }
 
-// The head of a page states modes and their types: not without reserve where they are wrong.
+// The head of a page states modes and their types. Where they are wrong, a caution stands there.
 TEST(TrustSection, CautionsTheHeadOfThePageWhereResultsAreWrong) {
   EXPECT_THAT(PageWarnings({{"reversed", "accel 2"}}, {}, {}).caution(),
               HasSubstr("Some of these results are wrong; <a href=\"#trust\">the reason</a>"));

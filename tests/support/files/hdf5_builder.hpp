@@ -36,7 +36,7 @@ class Hdf5Builder {
   hid_t file_;
 };
 
-/// Exact in float32 and int16: 0, 1, …, 63, 0, 1, … minus 20.
+/// `index` modulo 64, minus 20: a number that is exact in float32 and int16.
 double ramp_value(std::size_t index);
 
 }  // namespace percuss::test

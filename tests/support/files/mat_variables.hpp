@@ -6,7 +6,7 @@
 
 namespace percuss::test {
 
-// Variables of a MAT file as the reader gives them, and files of them without bytes.
+// Variables of a MAT file as the reader returns them, and MAT files of such variables that exist in memory only.
 
 inline acquire::MatVariable mat_numbers(const std::string& name, const std::vector<std::size_t>& shape,
                                         const std::vector<double>& real) {
@@ -21,7 +21,7 @@ inline acquire::MatFile mat_file_of(const std::vector<acquire::MatVariable>& var
   return {.path = "x.mat", .bytes = 1000, .variables = variables};
 }
 
-/// A file with the sampling rate fs of 1000 Hz besides.
+/// The same with a further variable, the sampling rate fs = 1000 Hz.
 inline acquire::MatFile mat_record_of(const std::vector<acquire::MatVariable>& variables) {
   acquire::MatFile file = mat_file_of(variables);
   file.variables.push_back(mat_numbers("fs", {1, 1}, {1000}));

@@ -22,7 +22,8 @@ struct BeamFlags {
 
 void add_beam_flags(Command& command, BeamFlags& flags);
 
-/// The uniform beam of the options; by default the composite bat. Throws UsageError for contradictory options.
+/// The uniform beam of the options; by default the composite cricket bat of model::UniformBeam. Throws UsageError for
+/// contradictory options.
 model::UniformBeam beam_of(const BeamFlags& flags);
 
 /// The longest element of a beam with a table of sections, as a fraction of its length.

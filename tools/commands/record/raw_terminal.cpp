@@ -17,7 +17,7 @@ bool in_foreground(int terminal) { return ::tcgetpgrp(terminal) == ::getpgrp(); 
 
 namespace {
 
-// Set before the handlers that read them.
+// The handlers read saved_mode only after mode_is_saved is set.
 termios saved_mode;
 std::atomic<int> mode_is_saved = 0;
 std::atomic<int> raw_terminal = -1;

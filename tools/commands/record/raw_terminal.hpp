@@ -6,8 +6,8 @@ namespace percuss::tools {
 bool in_foreground(int terminal);
 
 /// Lets a terminal deliver keys one by one, without echo. Its mode is restored by leave_raw_mode(), at the end of the
-/// process, and by every signal that ends or stops it and can be caught. When the process goes on in the foreground,
-/// the mode is set again.
+/// process, and by the signals that usually end or stop it. When the process goes on in the foreground, the mode is set
+/// again.
 void enter_raw_mode(int terminal);
 /// Sets the mode again in a process that has come to the foreground.
 void renew_raw_mode();

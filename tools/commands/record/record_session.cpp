@@ -166,7 +166,7 @@ void take_interrupted(const InterruptedSession& interrupted, const RecordFlags& 
   screen.resumed(guide);
 }
 
-// Writes the file of a session with blows. Its journal stays where the session may go on.
+// Writes the file of a session with blows. Its journal stays if the session ended early.
 void keep_session(const RecordFlags& flags, const acquire::Record& record, const Ending& ending, RecordScreen& screen) {
   write_session(flags, record);
   if (!ending.early) {
@@ -205,7 +205,7 @@ Outcome record_file(const RecordFlags& flags, const InterruptedSession& interrup
   if (out.accepted == 0 && !ending.broken) out.code = kImpossible;
   if (session.blows().empty()) {
     screen.note("no blow was recorded, so no file is written");
-    fs::remove(journal_of(flags.output));  // it holds no samples
+    fs::remove(journal_of(flags.output));  // it holds no blow
     return out;
   }
   const acquire::Record record = guide.record();
