@@ -80,7 +80,7 @@ const ChannelFindings& Analysis::channel_findings() const {
     const std::size_t channels = record().accel.size();
     const ThreadLimit limit(options_.threads);
     return trace_.run("channels", [&]() -> ChannelFindings {
-      return {.delays = channel_delays(set, found, hits(), channels),
+      return {.delays = channel_delays(set, with_point_indices(found, frf_points()), hits(), channels),
               .corrected_delays = corrected_delays(),
               .clocks = channel_clocks(set, found, channels),
               .pairs = compare_channels(found, channels),

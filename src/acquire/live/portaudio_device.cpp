@@ -1,6 +1,7 @@
 #include "acquire/live/portaudio_device.hpp"
 
 #include <fmt/format.h>
+#include <portaudio.h>
 
 #include <algorithm>
 #include <atomic>
@@ -27,7 +28,7 @@ constexpr std::chrono::seconds kSilence{2};  // without a callback: the device i
     throw InputError("the device does not offer this sampling rate", input.name, "percuss devices lists its rates",
                      {"fs"});
   }
-  throw InputError(std::string("cannot open the device: ") + portaudio().error_text(error), input.name,
+  throw InputError(std::string("cannot open the device: ") + PERCUSS_PORTAUDIO(Pa_GetErrorText)(error), input.name,
                    "end programs that use it, or choose another device", {"device"});
 }
 
@@ -50,8 +51,8 @@ class PortAudioDevice final : public Device {
     PaError error = paNoError;
     {
       const QuietErrors quiet;
-      error = portaudio().open_stream(&stream_, &parameters, nullptr, fs_Hz, paFramesPerBufferUnspecified,
-                                      paClipOff | paDitherOff, &PortAudioDevice::receive, this);
+      error = PERCUSS_PORTAUDIO(Pa_OpenStream)(&stream_, &parameters, nullptr, fs_Hz, paFramesPerBufferUnspecified,
+                                               paClipOff | paDitherOff, &PortAudioDevice::receive, this);
     }
     if (error != paNoError) fail_to_open(error, input_);
     describe(channels, fs_Hz);
@@ -59,7 +60,7 @@ class PortAudioDevice final : public Device {
   ~PortAudioDevice() override {
     stop();
     const QuietErrors quiet;
-    portaudio().close_stream(stream_);
+    PERCUSS_PORTAUDIO(Pa_CloseStream)(stream_);
   }
 
   const DeviceFormat& format() const override { return format_; }
@@ -68,7 +69,8 @@ class PortAudioDevice final : public Device {
     sink_ = &sink;
     const std::lock_guard guard(mutex_);
     const QuietErrors quiet;
-    if (const PaError error = portaudio().start_stream(stream_); error != paNoError) fail_to_open(error, input_);
+    if (const PaError error = PERCUSS_PORTAUDIO(Pa_StartStream)(stream_); error != paNoError)
+      fail_to_open(error, input_);
     running_ = true;
     heard_ = Clock::now();
   }
@@ -78,7 +80,7 @@ class PortAudioDevice final : public Device {
     if (!running_) return;
     running_ = false;
     const QuietErrors quiet;
-    portaudio().abort_stream(stream_);
+    PERCUSS_PORTAUDIO(Pa_AbortStream)(stream_);
   }
 
   StreamEnd check() override {
@@ -90,15 +92,15 @@ class PortAudioDevice final : public Device {
       known_callbacks_ = callbacks;
       heard_ = now;
     }
-    return now - heard_ > kSilence || portaudio().is_stream_active(stream_) != 1 ? StreamEnd::unplugged
-                                                                                 : StreamEnd::none;
+    return now - heard_ > kSilence || PERCUSS_PORTAUDIO(Pa_IsStreamActive)(stream_) != 1 ? StreamEnd::unplugged
+                                                                                         : StreamEnd::none;
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
   void describe(std::size_t channels, double fs_Hz) {
-    const PaStreamInfo* const info = portaudio().stream_info(stream_);
+    const PaStreamInfo* const info = PERCUSS_PORTAUDIO(Pa_GetStreamInfo)(stream_);
     const double actual_Hz = info != nullptr ? info->sampleRate : fs_Hz;
     if (std::abs(actual_Hz - fs_Hz) > kMaxRateError * fs_Hz)
       throw InputError(fmt::format("the device runs at {:.10g} Hz", actual_Hz), input_.name, "state this rate", {"fs"});

@@ -1,8 +1,10 @@
 #include "acquire/record/stated_date.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/error.hpp"
@@ -42,15 +44,42 @@ std::string uff_date(const std::vector<std::string_view>& lines) {
   return "";
 }
 
-// The text after the word in a line such as "# Date: 2026-11-20"; empty for other lines.
-std::string_view after_word(std::string_view line, std::string_view word) {
+constexpr std::string_view kAfterWord{" \t,;:=\""};
+
+// Text before and after a word in a line.
+struct SplitLine {
+  std::string before;  // lower case
+  std::string_view after;
+};
+// Nothing for a line that does not have the word within its first 40 characters.
+std::optional<SplitLine> split_at_word(std::string_view line, std::string_view word) {
   line = trimmed(line, " \t\r\n\"'#%;/*");
   const std::string lower = lower_case(std::string(line.substr(0, std::min<std::size_t>(line.size(), 40))));
   const std::size_t at = lower.find(word);
-  if (at == std::string::npos || (at > 0 && lower[at - 1] != ' ' && lower[at - 1] != '_')) return {};
+  if (at == std::string::npos || (at > 0 && lower[at - 1] != ' ' && lower[at - 1] != '_')) return std::nullopt;
   const std::size_t end = at + word.size();
-  if (end >= line.size() || std::string_view(" \t,;:=\"").find(line[end]) == std::string_view::npos) return {};
-  return trimmed(line.substr(end), " \t\r\n,;:=\"");
+  if (end >= line.size() || kAfterWord.find(line[end]) == std::string_view::npos) return std::nullopt;
+  return SplitLine{.before = std::string(trimmed(std::string_view(lower).substr(0, at), " _")),
+                   .after = trimmed(line.substr(end), " \t\r\n,;:=\"")};
+}
+
+// The date in a line such as "# Test date: 2026-11-20"; empty for other lines, such as the date of a calibration.
+std::string_view date_in_line(std::string_view line) {
+  constexpr std::array kWords = {"date/time",    "date and time",       "datetime",
+                                 "date of test", "date of measurement", "date"};
+  constexpr std::array kOfTest = {"", "test", "measurement", "recording", "acquisition", "start"};
+  for (const char* const word : kWords) {
+    const std::optional<SplitLine> split = split_at_word(line, word);
+    if (!split) continue;
+    const bool of_test = std::find(kOfTest.begin(), kOfTest.end(), split->before) != kOfTest.end();
+    return of_test && !split->after.starts_with("of ") ? split->after : std::string_view{};
+  }
+  return {};
+}
+
+std::string_view time_in_line(std::string_view line) {
+  const std::optional<SplitLine> split = split_at_word(line, "time");
+  return split ? split->after : std::string_view{};
 }
 
 // "2026/04/09 15:54:47" of "2026/04/09\",\"15:54:47": delimiters of the text are no part of the date.
@@ -69,23 +98,15 @@ std::string without_delimiters(std::string_view text) {
 
 std::string text_date(const std::vector<std::string_view>& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::string date = plausible_date(without_delimiters(after_word(lines[i], "date")));
+    const std::string date = plausible_date(without_delimiters(date_in_line(lines[i])));
     if (date.empty()) continue;
     // LabVIEW writes the time of day in the next line.
-    const std::string_view time = i + 1 < lines.size() ? after_word(lines[i + 1], "time") : std::string_view{};
+    const std::string_view time = i + 1 < lines.size() ? time_in_line(lines[i + 1]) : std::string_view{};
     const bool clock = time.find(':') != std::string_view::npos;
     const std::string both = clock ? date + " " + std::string(time.substr(0, time.find_first_of(".,\t"))) : date;
     return plausible_date(both);
   }
   return "";
-}
-
-std::string mat_date(std::string_view head) {
-  constexpr std::size_t kDescription_bytes = 116;
-  constexpr std::string_view kWord = "Created on: ";
-  const std::string_view description = head.substr(0, kDescription_bytes);
-  const std::size_t at = description.find(kWord);
-  return at == std::string_view::npos ? "" : plausible_date(description.substr(at + kWord.size()));
 }
 
 std::uint32_t little_endian(std::string_view bytes) {
@@ -127,7 +148,7 @@ std::string plausible_date(std::string_view text) {
 }
 
 std::string stated_date(std::string_view head) {
-  if (head.starts_with("MATLAB 5.0") || head.starts_with("MATLAB 7.3")) return mat_date(head);
+  if (head.starts_with("MATLAB 5.0") || head.starts_with("MATLAB 7.3")) return "";  // states when the file was written
   if (head.starts_with("RIFF") || head.starts_with("RF64")) return sound_date(head);
   if (head.find('\0') != std::string_view::npos) return "";
   const std::vector<std::string_view> lines = lines_of(head);

@@ -42,7 +42,8 @@ std::optional<ChannelDelay> delay_of_phases(std::span<const ModePhase> phases);
 /// The delay of each channel from the residues of the modes, at all points together; a channel with too few clear modes
 /// has none. Modes with complex shapes scatter about the line and enter the standard deviation. The noise of the force
 /// shifts its pulse in time, and with it the delays of all channels: it enters the standard deviation as well.
-/// set  the FRFs of these modes
+/// set    the FRFs of these modes
+/// modes  with the indices of the points in `set` in their residues, not with the points' numbers
 std::vector<ChannelDelay> delays_of_residues(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                                              std::size_t channels);
 

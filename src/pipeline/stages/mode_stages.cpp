@@ -34,6 +34,16 @@ BandModes modes_in_band(std::vector<identify::Mode> modes, const std::vector<int
   return out;
 }
 
+std::vector<identify::Mode> with_point_indices(std::vector<identify::Mode> modes, const std::vector<int>& points) {
+  for (identify::Mode& mode : modes) {
+    for (identify::Residue& residue : mode.residues) {
+      const auto at = std::lower_bound(points.begin(), points.end(), static_cast<int>(residue.point));
+      residue.point = static_cast<std::size_t>(at - points.begin());
+    }
+  }
+  return modes;
+}
+
 std::vector<identify::ModeClassification> classify_modes(const std::vector<identify::Mode>& modes,
                                                          const identify::FrfDataset& set,
                                                          const std::vector<acquire::SignalInfo>& accel,

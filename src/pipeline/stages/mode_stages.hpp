@@ -18,6 +18,10 @@ struct BandModes {
 BandModes modes_in_band(std::vector<identify::Mode> modes, const std::vector<int>& points,
                         std::pair<double, double> band_Hz);
 
+/// The same modes with residues that carry the indices of the points in the data set, in place of their numbers.
+/// points  as for modes_in_band, ascending
+std::vector<identify::Mode> with_point_indices(std::vector<identify::Mode> modes, const std::vector<int>& points);
+
 /// Classifies modes by the two sensors whose angles suit best, and by the overlay of their FRFs at each mode's peak.
 std::vector<identify::ModeClassification> classify_modes(const std::vector<identify::Mode>& modes,
                                                          const identify::FrfDataset& set,

@@ -28,9 +28,18 @@ TEST(StatedDate, IsInTheHeadOfAText) {
   EXPECT_EQ(stated_date("update: 2026\n"), "") << "another word";
 }
 
-TEST(StatedDate, IsInTheHeaderOfAMatFile) {
-  EXPECT_EQ(stated_date("MATLAB 5.0 MAT-file, Platform: GLNXA64, Created on: Fri Nov 20 14:03:22 2026      "),
-            "Fri Nov 20 14:03:22 2026");
+TEST(StatedDate, IsThatOfTheTest) {
+  EXPECT_EQ(stated_date("Calibration date: 2023-05-01\nDate: 2024-03-12\n"), "2024-03-12");
+  EXPECT_EQ(stated_date("Date of measurement: 2024-03-12\n"), "2024-03-12");
+  EXPECT_EQ(stated_date("Date/Time;03/12/2024 10:11:12 AM\n"), "03/12/2024 10:11:12 AM");
+  for (const char* const other : {"Date of calibration,2023-05-01\n", "Export date,2024-06-01\n",
+                                  "# Last date of service 2020-01-01\n", "Calibration_date,2023-05-01\n"})
+    EXPECT_EQ(stated_date(other), "") << other;
+}
+
+// The header states when the file was written: of an old test that was exported today, today.
+TEST(StatedDate, IsNotInTheHeaderOfAMatFile) {
+  EXPECT_EQ(stated_date("MATLAB 5.0 MAT-file, Platform: GLNXA64, Created on: Fri Nov 20 14:03:22 2026      "), "");
 }
 
 TEST(StatedDate, IsInTheChunksOfASoundFile) {

@@ -236,6 +236,14 @@ TEST_F(BatchCommand, LeavesOutTextsOfAFolderThatHoldNoNumbers) {
   EXPECT_THAT(bytes_of(folder_.file("n.jsonl")), HasSubstr("README")) << "a file that is named is planned";
 }
 
+TEST_F(BatchCommand, PlansARecordOfAFolderWhoseExportFailed) {
+  fs::create_directories(folder_.file("parts"));
+  test::write_small_test(folder_.file("parts/x.csv"), R"("hits": 1)");
+  test::write_bytes(folder_.file("parts/y.csv"), "time_s,force_N,accel_mps2\n");
+  ASSERT_EQ(batch({"plan", "parts", "-o", "m.jsonl"}).code, 0);
+  EXPECT_THAT(bytes_of(folder_.file("m.jsonl")), AllOf(HasSubstr("x.csv"), HasSubstr("y.csv")));
+}
+
 TEST_F(BatchCommand, RejectsOptionsAsAnalyzeDoes) {
   for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{{"--band", "1"},
                                                                                        {"--effort", "bst"},

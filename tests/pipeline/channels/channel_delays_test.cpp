@@ -119,4 +119,23 @@ TEST(ChannelDelays, IncludeTheNoiseOfTheForce) {
   EXPECT_LT(rms, 1.4);
 }
 
+// The numbers of the points are no indices: one point may have any number.
+TEST(ChannelDelays, AreFoundAtAPointOfAnyNumber) {
+  acquire::Record record = synth::synthesise(test::bat_spec({{.freq_Hz = 170, .damping_ratio = 0.01, .order = 1},
+                                                             {.freq_Hz = 600, .damping_ratio = 0.01, .order = 2},
+                                                             {.freq_Hz = 1250, .damping_ratio = 0.01, .order = 3}},
+                                                            1))
+                               .record;
+  const Analysis first(record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
+  for (acquire::RowInfo& row : record.rows) row.point = 1000;
+  const Analysis numbered(record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
+  const auto &expected = first.channel_findings().delays, &delays = numbered.channel_findings().delays;
+  ASSERT_FALSE(expected.empty());
+  ASSERT_EQ(delays.size(), expected.size());
+  for (std::size_t d = 0; d < delays.size(); ++d) {
+    EXPECT_EQ(delays[d].delay_s, expected[d].delay_s);
+    EXPECT_EQ(delays[d].std_s, expected[d].std_s);
+  }
+}
+
 }  // namespace percuss::pipeline::channel_delays_test

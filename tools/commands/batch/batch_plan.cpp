@@ -9,6 +9,7 @@
 #include <set>
 
 #include "acquire/format_registry.hpp"
+#include "acquire/record/file_format.hpp"
 #include "batch/plan.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/option_error.hpp"
@@ -34,11 +35,12 @@ struct PlanFlags {
   bool frf = false, hash = false;
 };
 
-// Leaves out texts without numbers, such as a README, that were found in folders and by patterns.
+// Leaves out texts without numbers, such as a README, that were found in folders and by patterns. A CSV file without
+// numbers is a record whose export failed: it is planned, and fails by name.
 void leave_out_texts(batch::RecordFiles& files, const std::vector<std::string>& named) {
   const std::set<std::string> typed(named.begin(), named.end());
   const auto texts = std::stable_partition(files.paths.begin(), files.paths.end(), [&](const std::string& path) {
-    return typed.contains(path) || !acquire::is_text_without_numbers(path);
+    return typed.contains(path) || acquire::file_extension(path) == ".csv" || !acquire::is_text_without_numbers(path);
   });
   files.left_out.insert(files.left_out.end(), texts, files.paths.end());
   files.paths.erase(texts, files.paths.end());

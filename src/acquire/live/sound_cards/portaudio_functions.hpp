@@ -1,28 +1,18 @@
 #pragma once
-#include <portaudio.h>
 
 namespace percuss::acquire {
 
-/// The functions of PortAudio that percuss calls. A linked PortAudio would load ALSA and JACK too at the start of every
-/// command, which takes 1 ms.
-struct PortAudioFunctions {
-  decltype(&Pa_Initialize) initialize;
-  decltype(&Pa_Terminate) terminate;
-  decltype(&Pa_GetErrorText) error_text;
-  decltype(&Pa_GetDeviceCount) device_count;
-  decltype(&Pa_GetDeviceInfo) device_info;
-  decltype(&Pa_GetHostApiInfo) host_info;
-  decltype(&Pa_IsFormatSupported) is_format_supported;
-  decltype(&Pa_OpenStream) open_stream;
-  decltype(&Pa_StartStream) start_stream;
-  decltype(&Pa_AbortStream) abort_stream;
-  decltype(&Pa_CloseStream) close_stream;
-  decltype(&Pa_IsStreamActive) is_stream_active;
-  decltype(&Pa_GetStreamInfo) stream_info;
-};
+/// The address of a function of PortAudio. The first call loads the shared library, which stays loaded: a linked
+/// PortAudio would load ALSA and JACK too at the start of every command, which takes 1 ms.
+/// errors  InputError: the library is not installed, or lacks the function
+void* portaudio_address(const char* name);
 
-/// The functions of the shared library, which the first call loads.
-/// errors  InputError: the library is not installed, or lacks a function
-const PortAudioFunctions& portaudio();
+template <class Function>
+Function* portaudio_function(const char* name) {
+  return reinterpret_cast<Function*>(portaudio_address(name));
+}
 
 }  // namespace percuss::acquire
+
+/// A function that portaudio.h declares, such as PERCUSS_PORTAUDIO(Pa_Initialize)().
+#define PERCUSS_PORTAUDIO(function) ::percuss::acquire::portaudio_function<decltype(function)>(#function)

@@ -1,6 +1,7 @@
 #include "acquire/live/sound_cards/portaudio_library.hpp"
 
 #include <fcntl.h>
+#include <portaudio.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -31,8 +32,9 @@ constexpr std::array kCommonRates_Hz = {8000.0,  11025.0, 16000.0, 22050.0, 2560
 
 // PortAudio of Debian aborts the program where the configuration of ALSA has no device "default" (an assertion). A
 // child tries it first. The child takes at most 20 s, since devices may answer slowly.
-void check_in_child(const PortAudioFunctions& functions) {
+void check_in_child() {
   constexpr unsigned kPatience_s = 20;
+  auto* const initialize = PERCUSS_PORTAUDIO(Pa_Initialize);
   const pid_t child = ::fork();
   if (child < 0) return;
   if (child == 0) {
@@ -40,7 +42,7 @@ void check_in_child(const PortAudioFunctions& functions) {
     ::setrlimit(RLIMIT_CORE, &no_core);
     std::signal(SIGABRT, SIG_DFL);
     ::alarm(kPatience_s);
-    functions.initialize();
+    initialize();
     ::_exit(0);
   }
   int status = 0;
@@ -78,24 +80,24 @@ QuietErrors::~QuietErrors() {
 
 PortAudioLibrary::PortAudioLibrary() {
   const QuietErrors quiet;
-  check_in_child(portaudio());
-  if (const PaError error = portaudio().initialize(); error != paNoError) {
-    throw InputError(std::string("PortAudio does not start: ") + portaudio().error_text(error), "portaudio",
+  check_in_child();
+  if (const PaError error = PERCUSS_PORTAUDIO(Pa_Initialize)(); error != paNoError) {
+    throw InputError(std::string("PortAudio does not start: ") + PERCUSS_PORTAUDIO(Pa_GetErrorText)(error), "portaudio",
                      "check the sound system", {"device"});
   }
 }
 
 PortAudioLibrary::~PortAudioLibrary() {
   const QuietErrors quiet;
-  portaudio().terminate();
+  PERCUSS_PORTAUDIO(Pa_Terminate)();
 }
 
 std::vector<PortAudioInput> PortAudioLibrary::inputs() const {
   std::vector<PortAudioInput> out;
-  for (PaDeviceIndex i = 0; i < portaudio().device_count(); ++i) {
-    const PaDeviceInfo* const info = portaudio().device_info(i);
+  for (PaDeviceIndex i = 0; i < PERCUSS_PORTAUDIO(Pa_GetDeviceCount)(); ++i) {
+    const PaDeviceInfo* const info = PERCUSS_PORTAUDIO(Pa_GetDeviceInfo)(i);
     if (info == nullptr || info->maxInputChannels <= 0) continue;
-    const PaHostApiInfo* const host = portaudio().host_info(info->hostApi);
+    const PaHostApiInfo* const host = PERCUSS_PORTAUDIO(Pa_GetHostApiInfo)(info->hostApi);
     out.push_back({.index = i,
                    .name = info->name,
                    .host = host != nullptr ? host->name : "",
@@ -115,7 +117,8 @@ std::vector<double> PortAudioLibrary::rates_Hz(const PortAudioInput& input) cons
                                       .hostApiSpecificStreamInfo = nullptr};
   std::vector<double> rates;
   for (const double rate : kCommonRates_Hz) {
-    if (portaudio().is_format_supported(&parameters, nullptr, rate) == paFormatIsSupported) rates.push_back(rate);
+    if (PERCUSS_PORTAUDIO(Pa_IsFormatSupported)(&parameters, nullptr, rate) == paFormatIsSupported)
+      rates.push_back(rate);
   }
   return rates;
 }
