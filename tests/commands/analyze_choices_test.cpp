@@ -16,7 +16,6 @@ using nlohmann::json;
 using test::run_percuss;
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 class AnalyzeChoices : public testing::Test {
  protected:
@@ -82,11 +81,14 @@ TEST_F(AnalyzeChoices, ReportsTheRequestedNumberOfModes) {
 TEST_F(AnalyzeChoices, KeepsTheOrdersOfAllModes) {
   const json all = document_of({}), part = document_of({"--modes", "1"}), started = document_of({"--start", "702"});
   const json& kept = part["modes"][0];
+  std::size_t matches = 0;
   for (const json& mode : all["modes"]) {
     if (mode["frequency_hz"] != kept["frequency_hz"]) continue;
+    ++matches;
     EXPECT_EQ(mode["order"], kept["order"]);
     EXPECT_EQ(mode["family"], kept["family"]);
   }
+  EXPECT_EQ(matches, 1U);
   EXPECT_TRUE(started["modes"][0]["order"].is_null());
 }
 

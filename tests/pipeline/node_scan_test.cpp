@@ -13,11 +13,11 @@
 
 namespace percuss::pipeline::node_scan_test {
 
-constexpr double kNode_in = 0.02;  // positions by hand are accurate to a few hundredths of an inch
+constexpr double kNodeError_in = 0.02;  // positions by hand are accurate to a few hundredths of an inch
 constexpr double kDeviations = 3;
 // Half a step: the resolution of the rule in [8] of docs/theory/sources.md, which places the node where the peak is
 // smallest.
-constexpr double kMinimum_in = 0.125;
+constexpr double kMinimumResolution_in = 0.125;
 
 const ScanPositions kScan{.start_m = 3 * kInch_m, .step_m = 0.25 * kInch_m, .count = 25};
 
@@ -34,7 +34,7 @@ synth::SynthSpec scan_spec(const char* preset, std::uint64_t seed) {
 
 NodeScan scan_of(const synth::SynthSpec& spec) {
   const Analysis analysis(synth::synthesise(spec).record, {.band_Hz = std::pair{60.0, 3200.0}});
-  return scan_nodes(analysis, kScan, kMinimum_in * kInch_m);
+  return scan_nodes(analysis, kScan, kMinimumResolution_in * kInch_m);
 }
 
 // Zeros of the mode's shape within the scan, by bisection of its sign changes.
@@ -64,10 +64,10 @@ void expect_nodes(const char* preset, std::uint64_t seed) {
     const ModeAlongScan& along = scan.modes[bending++];
     ASSERT_EQ(along.nodes.size(), 1U);
     const double off_in = std::abs(along.nodes[0].position_m - exact[0]) / kInch_m;
-    EXPECT_LE(off_in, kNode_in) << "± " << along.nodes[0].std_m / kInch_m;
+    EXPECT_LE(off_in, kNodeError_in) << "± " << along.nodes[0].std_m / kInch_m;
     EXPECT_LE(off_in, kDeviations * along.nodes[0].std_m / kInch_m);
     ASSERT_TRUE(along.minimum_m);
-    EXPECT_LE(std::abs(*along.minimum_m - exact[0]) / kInch_m, kMinimum_in);
+    EXPECT_LE(std::abs(*along.minimum_m - exact[0]) / kInch_m, kMinimumResolution_in);
   }
   EXPECT_EQ(bending, scan.modes.size());
 }
@@ -99,7 +99,7 @@ TEST(NodeScan, OmitsAPositionWithoutAUsableHit) {
   ASSERT_EQ(scan.modes.size(), 3U);
   EXPECT_EQ(scan.modes[0].shape.position_m.size(), kScan.count - 1);
   const double off_m = scan.modes[0].nodes.at(0).position_m - exact_nodes_m(spec, spec.modes[0]).at(0);
-  EXPECT_LE(std::abs(off_m) / kInch_m, kNode_in);
+  EXPECT_LE(std::abs(off_m) / kInch_m, kNodeError_in);
   ASSERT_EQ(scan.warnings.size(), 1U);
   EXPECT_THAT(scan.warnings[0].message, testing::HasSubstr("7.25 in"));
 }
@@ -124,7 +124,8 @@ TEST(AsScan, RefusesAnotherNumberOfPoints) {
 TEST(NodeScan, RefusesPositionsThatContradictTheGeometry) {
   const Analysis analysis(synth::synthesise(scan_spec("wood-bat", 0)).record, {.band_Hz = std::pair{60.0, 1500.0}});
   const ScanPositions millimetres{.start_m = 3e-3, .step_m = 0.25e-3, .count = 25};
-  const std::string message = test::input_error_of([&] { scan_nodes(analysis, millimetres, kMinimum_in * kInch_m); });
+  const std::string message =
+      test::input_error_of([&] { scan_nodes(analysis, millimetres, kMinimumResolution_in * kInch_m); });
   EXPECT_THAT(message, testing::HasSubstr("differ by up to 5.764 in; the scan is 0.2362 in long by the positions, 6 in "
                                           "by the geometry"));
 }
@@ -143,7 +144,8 @@ TEST(NodeScan, RefusesHitsAtOnePoint) {
   acquire::Record record = synth::synthesise(spec).record;
   record.geometry.clear();
   const Analysis analysis(as_scan(std::move(record), five), {.band_Hz = std::pair{60.0, 1500.0}});
-  const std::string message = test::input_error_of([&] { scan_nodes(analysis, five, kMinimum_in * kInch_m, true); });
+  const std::string message =
+      test::input_error_of([&] { scan_nodes(analysis, five, kMinimumResolution_in * kInch_m, true); });
   EXPECT_THAT(message, testing::HasSubstr("the hits are at one point"));
 }
 

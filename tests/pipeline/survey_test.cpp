@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/units.hpp"
 #include "support/changed_record.hpp"
 #include "support/input_error.hpp"
 #include "synth/structure.hpp"
@@ -23,7 +24,6 @@ using testing::Field;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr double kDegree = pi / 180;
 constexpr double kDeviations = 5;  // allowed standard deviations; 5, because dozens of values are compared
 
 // An aluminium bat whose first hoop mode is split.
@@ -38,7 +38,7 @@ synth::SynthSpec barrel() {
                           .damping_ratio = damping,
                           .type = type,
                           .order = order,
-                          .angle_rad = angle_deg * kDegree,
+                          .angle_rad = angle_deg * kDegree_rad,
                           .amplitude_per_sqrt_kg = 2});
   };
   mode(205, 0.02, synth::SynthModeType::bending, 1, 20);
@@ -138,8 +138,8 @@ TEST_F(BarrelSurvey, FindsThePlanesOfTheSplitHoopMode) {
   const auto& second = survey_->classifications()[3].split_mode;
   ASSERT_TRUE(first && second && first->planes && second->planes);
   EXPECT_NEAR(first->separation_Hz, 12, kDeviations * first->separation_std_Hz);
-  EXPECT_NEAR(first->planes->own.plane_rad, 12 * kDegree, kDeviations * first->planes->own.std_rad);
-  EXPECT_NEAR(second->planes->own.plane_rad, 57 * kDegree, kDeviations * second->planes->own.std_rad);
+  EXPECT_NEAR(first->planes->own.plane_rad, 12 * kDegree_rad, kDeviations * first->planes->own.std_rad);
+  EXPECT_NEAR(second->planes->own.plane_rad, 57 * kDegree_rad, kDeviations * second->planes->own.std_rad);
   EXPECT_EQ(first->planes->cause, identify::SplitCause::asymmetry);
   EXPECT_TRUE(first->quoted);
   EXPECT_FALSE(second->quoted);
@@ -155,7 +155,7 @@ TEST_F(BarrelSurvey, ExplainsTheFrfs) {
 TEST_F(BarrelSurvey, AgreesWithTheTwoAccelerometerTest) {
   // [8] in docs/theory/sources.md, appendix A: the two-accelerometer test names the same modes as the survey.
   synth::SynthSpec quick = barrel();
-  quick.points = {{.position_m = 0.11, .angle_rad = 35 * kDegree}};
+  quick.points = {{.position_m = 0.11, .angle_rad = 35 * kDegree_rad}};
   quick.sensors = {{.position_m = 0.05, .angle_rad = 0}, {.position_m = 0.05, .angle_rad = pi / 2}};
   quick.hits = 5;
   const Analysis analysis(synth::synthesise(quick).record, in_band());
@@ -229,7 +229,7 @@ TEST(Survey, WarnsOfASensorOnANode) {
   // there.
   synth::SynthSpec spec = roving(barrel(), 2);
   spec.modes.resize(1);
-  spec.modes[0].angle_rad = 1 * kDegree;
+  spec.modes[0].angle_rad = 1 * kDegree_rad;
   const Analysis analysis(synth::synthesise(spec).record, in_band());
   const Survey survey(analysis, {});
   ASSERT_EQ(survey.shapes().size(), 1U);
@@ -304,9 +304,9 @@ TEST(Survey, WarnsOfAWrongDrivingPointSignAndBrokenReciprocity) {
 // The second of two fixed sensors was mounted the other way round before the last four points were struck.
 TEST(SurveyWarnings, NameThePointsAtWhichASensorWasReversed) {
   synth::SynthSpec spec = roving(barrel(), 2);
-  spec.sensors.push_back({.position_m = 0.05, .angle_rad = 40 * kDegree});
+  spec.sensors.push_back({.position_m = 0.05, .angle_rad = 40 * kDegree_rad});
   const acquire::Record good = synth::synthesise(spec).record;
-  const auto points_named = [&](const acquire::Record& record) {
+  const auto disagreement_message = [&](const acquire::Record& record) {
     const Analysis analysis(record, in_band());
     std::string message;
     for (const Warning& warning : Survey(analysis, SurveyOptions{}).warnings()) {
@@ -314,13 +314,13 @@ TEST(SurveyWarnings, NameThePointsAtWhichASensorWasReversed) {
     }
     return message;
   };
-  EXPECT_EQ(points_named(good), "");
+  EXPECT_EQ(disagreement_message(good), "");
   const acquire::Record reversed =
       test::with_changed_accel(good, [&](std::size_t row, std::size_t channel, std::vector<double>& x) {
         if (channel == 1 && good.rows[row].point >= 12)
           for (double& value : x) value = -value;
       });
-  EXPECT_THAT(points_named(reversed),
+  EXPECT_THAT(disagreement_message(reversed),
               HasSubstr("at points 12, 13, 14, 15 it is -1 times this: one of them was reversed"));
 }
 

@@ -31,7 +31,7 @@ ModeError mode_error_of(const identify::Mode& mode, const identify::Pole& truth)
           .damping_sigmas = beyond(mode.pole.damping_ratio - truth.damping_ratio, kRoundingOfPole, mode.damping_std)};
 }
 
-double worse(const ModeError& error) { return std::max(error.freq_sigmas, error.damping_sigmas); }
+double larger_sigmas(const ModeError& error) { return std::max(error.freq_sigmas, error.damping_sigmas); }
 
 bool is_candidate_for(const identify::Mode& mode, const identify::Pole& truth) {
   const double off_Hz = std::abs(mode.pole.freq_Hz - truth.freq_Hz);
@@ -57,7 +57,7 @@ class Judge {
       if (must_be_found(mode) && first == last) ++result_.wanted;
       result_.freq_bound = std::max(result_.freq_bound, 2 * mode.freq_bound_Hz / width_Hz(mode.pole));
     }
-    if (refused()) return result_;
+    if (is_accepted_refusal()) return result_;
     if (outcome_.exit_code != expected_.exit_code) {
       fail(fmt::format("exit code {}: {}", outcome_.exit_code, outcome_.message));
       return result_;
@@ -79,8 +79,8 @@ class Judge {
     return !reason.empty() && (outcome_.said.contains(reason) || outcome_.message.find(reason) != std::string::npos);
   }
 
-  // True for an accepted refusal: the judgement is then complete.
-  bool refused() {
+  // The judgement is then complete.
+  bool is_accepted_refusal() {
     if (outcome_.exit_code == 0) return false;
     const bool other = std::any_of(expected_.or_refused.begin(), expected_.or_refused.end(),
                                    [&](const std::string& reason) { return has_reason(reason); });
@@ -128,7 +128,7 @@ class Judge {
     for (std::size_t m = 0; m < outcome_.modes.size(); ++m) {
       for (std::size_t t = 0; t < truth_.size(); ++t) {
         if (is_candidate_for(outcome_.modes[m], truth_[t].pole))
-          pairs.push_back({worse(mode_error_of(outcome_.modes[m], truth_[t].pole)), m, t});
+          pairs.push_back({larger_sigmas(mode_error_of(outcome_.modes[m], truth_[t].pole)), m, t});
       }
     }
     std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.off < b.off; });
@@ -184,7 +184,7 @@ class Judge {
     result_.freq_relative = std::max(result_.freq_relative, freq_relative);
     result_.damping_absolute = std::max(result_.damping_absolute, damping_absolute);
     const auto of_truth = fmt::format("{} for {:.9g} Hz, {:.6g}", text_of(mode), truth.freq_Hz, truth.damping_ratio);
-    if (!warned_ && !(worse(error) <= kMaxSigmas))
+    if (!warned_ && !(larger_sigmas(error) <= kMaxSigmas))
       fail(fmt::format("{:.1f} and {:.1f} standard deviations off: {}", error.freq_sigmas, error.damping_sigmas,
                        of_truth));
     if (expected_.freq_relative && !(freq_relative <= *expected_.freq_relative))

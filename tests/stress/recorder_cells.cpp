@@ -16,7 +16,7 @@ Cell cell_of(const std::string& name, Expectation expected) {
 }
 
 // The largest force is 300 N, the largest acceleration near 500 m/s².
-std::vector<Cell> offsets() {
+std::vector<Cell> offsets_drifts_and_hum() {
   std::vector<Cell> cells;
   for (const double fraction : {0.01, 0.1, 1.0}) {
     Cell both = cell_of(fmt::format("constant offset, {:g} of the peaks", fraction), {.demand = Demand::all});
@@ -107,7 +107,7 @@ std::vector<Cell> wiring() {
 }  // namespace
 
 std::vector<Cell> recorder_cells() {
-  std::vector<Cell> cells = offsets();
+  std::vector<Cell> cells = offsets_drifts_and_hum();
   for (Cell& cell : limits()) cells.push_back(std::move(cell));
   for (Cell& cell : wiring()) cells.push_back(std::move(cell));
   return cells;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/units.hpp"
 #include "synth/random_stream.hpp"
 
 namespace percuss::test {
@@ -11,10 +12,9 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kDegree = pi / 180;
-constexpr double kSensorAngleStd_rad = 2 * kDegree;
-constexpr double kGainStd = 0.03;                   // relative
-constexpr double kPlaneAngleStd_rad = 4 * kDegree;  // of a mode's plane from the bat's
+constexpr double kSensorAngleStd_rad = 2 * kDegree_rad;
+constexpr double kGainStd = 0.03;                       // relative
+constexpr double kPlaneAngleStd_rad = 4 * kDegree_rad;  // of a mode's plane from the bat's
 constexpr double kHighest_Hz = 3000;
 constexpr std::uint64_t kPurpose = 0xBA7;
 
@@ -28,8 +28,8 @@ double normal(synth::RandomStream& random, double mean, double deviation) {
 double plane_of_bat(synth::RandomStream& random) {
   const double kind = random.uniform();
   if (kind < 0.6) return random.uniform(0, pi);
-  if (kind < 0.8) return normal(random, (random.uniform() < 0.5 ? 45 : 135) * kDegree, kDegree);
-  return normal(random, random.uniform() < 0.5 ? 0 : pi / 2, kDegree);
+  if (kind < 0.8) return normal(random, (random.uniform() < 0.5 ? 45 : 135) * kDegree_rad, kDegree_rad);
+  return normal(random, random.uniform() < 0.5 ? 0 : pi / 2, kDegree_rad);
 }
 
 void add_bending(synth::SynthSpec& spec, synth::RandomStream& random) {
@@ -80,7 +80,7 @@ synth::SynthSpec random_bat(std::uint64_t seed) {
   synth::SynthSpec spec{.fs_Hz = 8192, .samples = 4096, .seed = seed, .band_high_Hz = 3200};
   spec.pulse = {.width_s = 0.35e-3};
   spec.hits = 2;
-  const double struck_rad = random.uniform() < 0.5 ? normal(random, 0, 3 * kDegree) : random.uniform(0, pi);
+  const double struck_rad = random.uniform() < 0.5 ? normal(random, 0, 3 * kDegree_rad) : random.uniform(0, pi);
   spec.points = {{.position_m = random.uniform(2, 8) * kInch_m, .angle_rad = struck_rad}};
   const double position_m = random.uniform(0.5, 7) * kInch_m;
   for (synth::SynthSensor& sensor : spec.sensors) {

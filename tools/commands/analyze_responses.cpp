@@ -50,9 +50,10 @@ void refuse_frf_files(const OutputFlags& output, const std::string& input) {
   constexpr std::array kFrfs = {".h5", ".hdf5", ".mat", ".uff", ".unv"};
   for (const std::string& path : output.paths) {
     if (std::find(kFrfs.begin(), kFrfs.end(), extension_of(path)) != kFrfs.end()) {
-      throw InputError(fmt::format("there are no FRFs to write to '{}' without a force channel", path), input,
-                       fmt::format("name the force's channel, or write {}", fmt::join(report_extensions(), ", ")),
-                       {"force_channel"});
+      throw InputError(
+          fmt::format("without a force channel there are neither FRFs nor residues to write to '{}'", path), input,
+          fmt::format("name the force's channel, or write {}", fmt::join(report_extensions(), ", ")),
+          {"force_channel"});
     }
   }
 }

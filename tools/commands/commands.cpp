@@ -11,7 +11,9 @@ void add_exit_codes(CommandLine& line) {
   line.exit_code(kInternalError, "internal error");
   line.exit_code(kUsage, "the command line was not understood");
   line.exit_code(kBadInput, "unusable input");
-  line.exit_code(kImpossible, "the analysis is impossible (no hit can be used), or its budget is spent");
+  line.exit_code(kImpossible,
+                 "the analysis is impossible (no hit can be used, or no decay can be fitted), or its budget is spent; "
+                 "or no blow of a recording counts");
   line.exit_code(kQualityGate, "a quality gate failed (the bat exceeds its limit or is damaged)");
   line.exit_code(
       kPartial,

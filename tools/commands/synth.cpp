@@ -168,7 +168,7 @@ void add_synth(CommandLine& line) {
                   "Write this record: .h5, .hdf5, .csv, .mat, .uff, .unv, .wav, .rf64, .w64 (repeatable); the truth "
                   "goes to the same name with .truth.json")
       .type("FILE");
-  command.value("--seed", flags->seed, "Use this seed for the noise, in place of the spec's").type("N");
+  command.value("--seed", flags->seed, "Use this seed for noise and hits, in place of the spec's").type("N");
   command.value("--threads", flags->threads, "Use this many threads (0: all; the samples are the same)").type("N");
   command.flag("--force", flags->force, "Overwrite existing files");
   command.flag("--list", flags->list, "List the presets");

@@ -48,8 +48,9 @@ def impact(
     """Predict the impact of a ball on a beam: restitution, force and deflection.
 
     Simulates the impact of a ball on the beam of percuss model beam: coefficient of restitution
-    (COR), force, contact time and deflection of the beam, at the first contact and after the last.
-    `sweep` varies constants of the beam, the impact position or the speed.
+    (COR) after the first contact and after the last, contact time, largest force, and deflection of
+    the beam until 80 ms after the first contact. `sweep` varies constants of the beam, the impact
+    position or the speed.
 
     Parameters
     ----------

@@ -25,7 +25,7 @@ def synth(
     spec : str, path or dict
         The name of a preset, a file, or a dictionary; docs/guides/synth.md describes its keys.
     seed : int, optional
-        Use this seed for the noise, in place of the spec's.
+        Use this seed for noise and hits, in place of the spec's.
     threads : int, optional
         Use this many threads (0: all; the samples are the same).
 

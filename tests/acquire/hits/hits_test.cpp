@@ -27,10 +27,6 @@ std::vector<Hit> hits_in(const Rows& rows, const HitOptions& options = {}) {
   return find_hits(test::force_record(kFs_Hz, rows), options);
 }
 
-bool has(const Hit& hit, FindingCode code) {
-  return std::any_of(hit.findings.begin(), hit.findings.end(), [&](const Finding& f) { return f.code == code; });
-}
-
 TEST(FindHits, MeasuresThePulse) {
   const auto hits = hits_in({with_pulses(60000, {20000})});
   ASSERT_EQ(hits.size(), 1U);
@@ -83,7 +79,7 @@ TEST(FindHits, TellsAnUndershootFromARingingForce) {
     ringing[i] += 0.3 * 200 * std::sin(2 * std::numbers::pi * 300 * t_s) * std::exp(-t_s / 0.1);
   }
   EXPECT_FALSE(rejects(hits_in({coupled})[0].findings));
-  EXPECT_TRUE(has(hits_in({ringing})[0], FindingCode::no_pulse));
+  EXPECT_TRUE(has_finding(hits_in({ringing})[0].findings, FindingCode::no_pulse));
 }
 
 TEST(FindHits, TakesEachRowAsOneHitUnlessTheRecordIsContinuous) {
@@ -137,7 +133,7 @@ TEST(FindHits, SearchesOnlyTheSelectedTime) {
   EXPECT_EQ(hits_in(row, {.from_s = 50000 / kFs_Hz}).size(), 2U);
   const auto nothing = hits_in(row, {.to_s = 0.5});
   ASSERT_EQ(nothing.size(), 1U);
-  EXPECT_TRUE(has(nothing[0], FindingCode::no_pulse));
+  EXPECT_TRUE(has_finding(nothing[0].findings, FindingCode::no_pulse));
 }
 
 TEST(FindHits, RejectsAnEmptyTimeRange) {
@@ -155,8 +151,8 @@ TEST(FindHits, UsesTheGivenTrigger) {
   test::add_haversine(x, 60000, kWidth, 20);
   EXPECT_EQ(hits_in({x}).size(), 2U);
   EXPECT_EQ(hits_in({x}, {.trigger_N = 50}).size(), 1U);
-  EXPECT_TRUE(has(hits_in({x}, {.trigger_N = 500})[0], FindingCode::no_pulse));
-  EXPECT_TRUE(has(hits_in({x, x}, {.trigger_N = 500})[1], FindingCode::no_pulse));
+  EXPECT_TRUE(has_finding(hits_in({x}, {.trigger_N = 500})[0].findings, FindingCode::no_pulse));
+  EXPECT_TRUE(has_finding(hits_in({x, x}, {.trigger_N = 500})[1].findings, FindingCode::no_pulse));
 }
 
 TEST(FindHits, GatesTheForceToItsPulse) {
@@ -227,8 +223,8 @@ TEST(FindHits, SurvivesRowsOfAFewSamples) {
           ASSERT_EQ(alone.size(), 1U);
           ASSERT_EQ(beside.size(), 2U);
           const bool silent = at == samples || samples < 3;
-          EXPECT_EQ(has(alone[0], FindingCode::no_pulse), silent) << samples << ' ' << at;
-          EXPECT_EQ(has(beside[0], FindingCode::no_pulse), silent) << samples << ' ' << at;
+          EXPECT_EQ(has_finding(alone[0].findings, FindingCode::no_pulse), silent) << samples << ' ' << at;
+          EXPECT_EQ(has_finding(beside[0].findings, FindingCode::no_pulse), silent) << samples << ' ' << at;
         }
       }
     }

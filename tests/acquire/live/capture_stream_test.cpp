@@ -112,7 +112,7 @@ TEST(CaptureStream, DeliversThroughARingThatIsSmallerThanAPiece) {
 }
 
 /// A device that does not start.
-class SilentDevice final : public Device {
+class UnstartableDevice final : public Device {
  public:
   const DeviceFormat& format() const override { return format_; }
   void start(FrameSink&) override { throw InputError("the device does not start", "bench", "switch it on"); }
@@ -126,7 +126,7 @@ TEST(CaptureStream, LeavesNoJournalOfADeviceThatDoesNotStart) {
   const ScratchFolder folder;
   const std::string path = folder.file("t.h5.journal");
   for (int trial = 0; trial < 2; ++trial) {
-    EXPECT_THAT(input_error_of([&] { CaptureStream(std::make_unique<SilentDevice>(), {.journal = path}); }),
+    EXPECT_THAT(input_error_of([&] { CaptureStream(std::make_unique<UnstartableDevice>(), {.journal = path}); }),
                 HasSubstr("does not start"));
     EXPECT_FALSE(std::filesystem::exists(path));
   }
@@ -362,9 +362,7 @@ TEST(CaptureStream, ResumesItsJournal) {
                          {.journal = path, .resume = resume});
     stream.keep_from(0);
     Seen seen;
-    while (stream.end() == StreamEnd::none) {
-      if (const auto block = stream.next(100ms)) seen.add(*block, 4);
-    }
+    read_all(stream, seen);
     return seen;
   };
   const Seen first = run(false), second = run(true);

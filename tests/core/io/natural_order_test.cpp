@@ -40,7 +40,7 @@ std::vector<std::string> ordered(const std::vector<std::string>& names) {
 
 using Names = std::vector<std::string>;
 
-TEST(MeantOrder, SortsTheExpansionOfAShellPatternByNumbers) {
+TEST(IntendedOrder, SortsTheExpansionOfAShellPatternByNumbers) {
   EXPECT_EQ(ordered({"d/p1.csv", "d/p10.csv", "d/p11.csv", "d/p2.csv"}),
             (Names{"d/p1.csv", "d/p2.csv", "d/p10.csv", "d/p11.csv"}));
   EXPECT_EQ(ordered({"p10.csv", "p1.csv", "p20.csv", "p2.csv"}), (Names{"p1.csv", "p2.csv", "p10.csv", "p20.csv"}))
@@ -50,7 +50,7 @@ TEST(MeantOrder, SortsTheExpansionOfAShellPatternByNumbers) {
   EXPECT_EQ(ordered({"a1", "a10", "a2", "b1", "b10", "b2"}), (Names{"a1", "a2", "a10", "b1", "b2", "b10"}));
 }
 
-TEST(MeantOrder, KeepsEveryOtherOrder) {
+TEST(IntendedOrder, KeepsEveryOtherOrder) {
   for (const Names& names :
        {Names{}, Names{"p1"}, Names{"p1", "p2", "p10"}, Names{"p10", "p2", "p1"}, Names{"p2", "p1", "p10"},
         Names{"end10", "middle2", "start1"}, Names{"p0.25.csv", "p0.5.csv", "p0.75.csv"}, Names{"p01", "p02", "p10"}})

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/units.hpp"
 #include "synth/random_stream.hpp"
 
 namespace percuss::identify::asymmetry_split_test {
@@ -12,15 +13,14 @@ namespace percuss::identify::asymmetry_split_test {
 using std::numbers::pi;
 
 constexpr double kRounding = 1e-12;
-constexpr double kDegree = pi / 180;
 
 SensorPair sensors_at(double first_deg, double second_deg) {
-  return {.first = 0, .second = 1, .first_rad = first_deg * kDegree, .second_rad = second_deg * kDegree};
+  return {.first = 0, .second = 1, .first_rad = first_deg * kDegree_rad, .second_rad = second_deg * kDegree_rad};
 }
 
 Mode mode_with_plane(int n, double plane_deg, const SensorPair& sensors, double scale = 1, double std = 1e-4) {
   Mode mode{.pole = {1900, 0.003}, .freq_std_Hz = 0.03};
-  const double plane = plane_deg * kDegree;
+  const double plane = plane_deg * kDegree_rad;
   mode.residues = {{.channel = 0, .value = scale * std::cos(n * (sensors.first_rad - plane)), .std = std},
                    {.channel = 1, .value = scale * std::cos(n * (sensors.second_rad - plane)), .std = std}};
   return mode;
@@ -31,7 +31,7 @@ TEST(PlaneFromSensors, IsTheBendingPlane) {
     const SensorPair sensors = sensors_at(0, 90);
     const auto plane = plane_from_sensors(mode_with_plane(1, plane_deg, sensors, -3), sensors, 1, 0);
     ASSERT_TRUE(plane);
-    EXPECT_NEAR(std::remainder(plane->plane_rad - plane_deg * kDegree, pi), 0, kRounding) << plane_deg;
+    EXPECT_NEAR(std::remainder(plane->plane_rad - plane_deg * kDegree_rad, pi), 0, kRounding) << plane_deg;
   }
 }
 
@@ -40,7 +40,7 @@ TEST(PlaneFromSensors, IsTheHoopPlaneForOtherSensorAngles) {
     const SensorPair sensors = sensors_at(10, 60);
     const auto plane = plane_from_sensors(mode_with_plane(2, plane_deg, sensors), sensors, 2, 0);
     ASSERT_TRUE(plane);
-    EXPECT_NEAR(plane->plane_rad, plane_deg * kDegree, kRounding);
+    EXPECT_NEAR(plane->plane_rad, plane_deg * kDegree_rad, kRounding);
   }
 }
 
@@ -60,7 +60,7 @@ TEST(PlaneFromSensors, HasTrueStandardDeviations) {
     synth::RandomStream({5, trial}).add_normal(kStd, noise);
     Mode mode = mode_with_plane(1, 30, sensors, 1, kStd);
     for (std::size_t c = 0; c < 2; ++c) mode.residues[c].value += noise[c];
-    squares += std::pow(plane_from_sensors(mode, sensors, 1, 0)->plane_rad - 30 * kDegree, 2);
+    squares += std::pow(plane_from_sensors(mode, sensors, 1, 0)->plane_rad - 30 * kDegree_rad, 2);
   }
   const double scatter_std = std::sqrt(squares / kTrials);
   EXPECT_NEAR(plane_from_sensors(mode_with_plane(1, 30, sensors, 1, kStd), sensors, 1, 0)->std_rad / scatter_std, 1,
@@ -83,7 +83,7 @@ Pair described(double between_deg, int order, double std_rad = 0.01) {
   Pair pair;
   const Mode mode = mode_with_plane(1, 20, sensors_at(0, 90));
   describe_split(mode, mode, PatternPlane{0.1, std_rad, order},
-                 PatternPlane{0.1 + between_deg * kDegree, std_rad, order}, pair.first, pair.second);
+                 PatternPlane{0.1 + between_deg * kDegree_rad, std_rad, order}, pair.first, pair.second);
   return pair;
 }
 
@@ -93,7 +93,7 @@ TEST(SplitModePlanes, IsFromAsymmetryWhereThePlanesDiffer) {
   EXPECT_EQ(described(0, 2).first.planes->cause, SplitCause::coupled);
   EXPECT_EQ(described(22, 2).first.planes->cause, SplitCause::unclear);
   EXPECT_EQ(described(45, 2, 0.3).first.planes->cause, SplitCause::unclear);
-  EXPECT_NEAR(described(130, 2).second.planes->between_rad, 40 * kDegree, kRounding);
+  EXPECT_NEAR(described(130, 2).second.planes->between_rad, 40 * kDegree_rad, kRounding);
   EXPECT_NEAR(described(45, 2).first.planes->between_std_rad, 0.01 * std::sqrt(2.0), kRounding);
 }
 
@@ -119,7 +119,7 @@ TEST(SplitModePlanes, IsPartOfTheClassification) {
   ASSERT_TRUE(classifications[0].split_mode && classifications[1].split_mode);
   ASSERT_TRUE(classifications[0].split_mode->planes);
   EXPECT_EQ(classifications[0].split_mode->planes->cause, SplitCause::asymmetry);
-  EXPECT_NEAR(classifications[1].split_mode->planes->own.plane_rad, 110 * kDegree, 1e-9);
+  EXPECT_NEAR(classifications[1].split_mode->planes->own.plane_rad, 110 * kDegree_rad, 1e-9);
   EXPECT_TRUE(classifications[0].split_mode->quoted);
 }
 

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/units.hpp"
+
 namespace percuss::identify::classify_test {
 
 using std::numbers::pi;
 
-constexpr double kDegree = pi / 180;
 constexpr double kRounding = 1e-12;
 // With a lower confidence, classify() states the other type as an alternative.
 constexpr double kSure = 0.9;
@@ -24,15 +25,15 @@ Mode mode_at(double freq_Hz, Complex first, Complex second, double std = 1e-3) {
 
 /// Bending in the plane plane_deg, and hoop with an antinode at turn_deg. The sensors are at 0° and second_deg.
 Mode bending(double freq_Hz, double plane_deg, double second_deg = 90) {
-  return mode_at(freq_Hz, std::cos(plane_deg * kDegree), std::cos((second_deg - plane_deg) * kDegree));
+  return mode_at(freq_Hz, std::cos(plane_deg * kDegree_rad), std::cos((second_deg - plane_deg) * kDegree_rad));
 }
 Mode hoop(double freq_Hz, double turn_deg, double second_deg = 90) {
-  return mode_at(freq_Hz, std::cos(2 * turn_deg * kDegree), std::cos(2 * (second_deg - turn_deg) * kDegree));
+  return mode_at(freq_Hz, std::cos(2 * turn_deg * kDegree_rad), std::cos(2 * (second_deg - turn_deg) * kDegree_rad));
 }
 
 std::vector<ModeClassification> classifications(const std::vector<Mode>& modes, double second_deg = 90,
                                                 const ClassifyOptions& options = {}) {
-  const SensorPair sensors{.first = 0, .second = 1, .first_rad = 0, .second_rad = second_deg * kDegree};
+  const SensorPair sensors{.first = 0, .second = 1, .first_rad = 0, .second_rad = second_deg * kDegree_rad};
   return classify(modes, sensors, std::vector<std::optional<double>>(modes.size()), options);
 }
 
@@ -51,7 +52,7 @@ TEST(Classify, TangentOfAPlaneIsBending) {
     EXPECT_EQ(classification.type, ModeType::bending) << plane;
     EXPECT_GE(classification.confidence, kSure) << plane;
     EXPECT_FALSE(classification.alternative) << plane;
-    EXPECT_NEAR(classification.ratio->real() / std::tan(plane * kDegree), 1, kRounding) << plane;
+    EXPECT_NEAR(classification.ratio->real() / std::tan(plane * kDegree_rad), 1, kRounding) << plane;
   }
 }
 
@@ -182,19 +183,19 @@ TEST(Classify, UsesTheRatioOverAllPoints) {
 }
 
 TEST(PairOfSensors, TakesTheTwoNearestToARightAngle) {
-  const auto pair = pair_of_sensors({0.0, std::nullopt, 45 * kDegree, -89 * kDegree});
+  const auto pair = pair_of_sensors({0.0, std::nullopt, 45 * kDegree_rad, -89 * kDegree_rad});
   ASSERT_TRUE(pair);
   EXPECT_EQ(pair->first, 0U);
   EXPECT_EQ(pair->second, 3U);
-  EXPECT_DOUBLE_EQ(pair->second_rad, -89 * kDegree);
-  EXPECT_TRUE(pair_of_sensors({0.0, 270 * kDegree}));
+  EXPECT_DOUBLE_EQ(pair->second_rad, -89 * kDegree_rad);
+  EXPECT_TRUE(pair_of_sensors({0.0, 270 * kDegree_rad}));
 }
 
 TEST(PairOfSensors, NeedsTwoAngles) {
   EXPECT_FALSE(pair_of_sensors({}));
   EXPECT_FALSE(pair_of_sensors({0.0, std::nullopt}));
-  EXPECT_FALSE(pair_of_sensors({0.0, 0.0, 360 * kDegree}));  // alike for bending and hoop modes
-  EXPECT_TRUE(pair_of_sensors({0.0, 180 * kDegree}));
+  EXPECT_FALSE(pair_of_sensors({0.0, 0.0, 360 * kDegree_rad}));  // alike for bending and hoop modes
+  EXPECT_TRUE(pair_of_sensors({0.0, 180 * kDegree_rad}));
 }
 
 }  // namespace percuss::identify::classify_test

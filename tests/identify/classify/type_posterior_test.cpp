@@ -6,14 +6,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/units.hpp"
+
 namespace percuss::identify::type_posterior_test {
 
 using std::numbers::pi;
 
-constexpr double kDegree = pi / 180;
-
 TypeEvidence mode_at(double freq_Hz, double chi_deg, double size = 1) {
-  return {.freq_Hz = freq_Hz, .size = size, .ratio = RatioAngle{.chi_rad = chi_deg * kDegree, .std_rad = 0.001}};
+  return {.freq_Hz = freq_Hz, .size = size, .ratio = RatioAngle{.chi_rad = chi_deg * kDegree_rad, .std_rad = 0.001}};
 }
 
 std::vector<TypeEvidence> paired(TypeEvidence one, TypeEvidence two) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/units.hpp"
 #include "synth/random_stream.hpp"
 
 namespace percuss::identify::circumferential_orders_test {
@@ -15,7 +16,6 @@ using std::numbers::pi;
 constexpr double kRounding = 1e-12;
 // The confidence of a clear pattern is at least 0.95: the share that an alias of order 3 leaves.
 constexpr double kClear = 0.95 - kRounding;
-constexpr double kDegree = pi / 180;
 
 struct Grid {
   int rings = 6, angles = 6;
@@ -65,9 +65,9 @@ TEST(TubeShape, FindsThePlaneAtAnyAngle) {
   const TubeGeometry geometry = geometry_of({.offset_rad = 0.2});
   for (const int n : {1, 2}) {
     for (const double plane_deg : {0.5, 12.0, 57.0, 89.0}) {
-      const auto tube = tube_shape(pattern(geometry, n, plane_deg * kDegree, flat), geometry);
+      const auto tube = tube_shape(pattern(geometry, n, plane_deg * kDegree_rad, flat), geometry);
       ASSERT_TRUE(tube && tube->plane_rad);
-      EXPECT_NEAR(*tube->plane_rad, plane_deg * kDegree, kRounding) << n;
+      EXPECT_NEAR(*tube->plane_rad, plane_deg * kDegree_rad, kRounding) << n;
     }
   }
 }
@@ -84,7 +84,7 @@ TEST(TubeShape, NamesBendingAndHoopOnly) {
 TEST(TubeShape, ResolvesOnlyTheCosineAtHalfTheNumberOfAngles) {
   // Six angles: cos 3θ alternates, sin 3θ is zero everywhere; its plane is unknown.
   const TubeGeometry geometry = geometry_of({});
-  const auto tube = tube_shape(pattern(geometry, 3, 10 * kDegree, flat), geometry);
+  const auto tube = tube_shape(pattern(geometry, 3, 10 * kDegree_rad, flat), geometry);
   ASSERT_TRUE(tube);
   EXPECT_EQ(tube->order, 3);
   EXPECT_FALSE(tube->plane_rad);

@@ -17,13 +17,13 @@ namespace percuss::metrics::largest_deflection_test {
 // The pulse is long enough, in samples, that the record has hardly any aliasing: 10⁻⁵ of the deflection.
 constexpr double kFs_Hz = 1024, kPulse_s = 0.024;
 
-struct Swing {
+struct ForcedMode {
   double freq_Hz, damping, force_per_kg;
 };
 
 // Adds the closed form of x'' + 2ζωx' + ω²x = F (1 − cos(2πt/T))/2 for a force that starts at t = 0 and continues. The
 // same force with the opposite sign, started T later, ends the pulse.
-void add_started(const Swing& mode, double sign, double t_s, double& x, double& a) {
+void add_started(const ForcedMode& mode, double sign, double t_s, double& x, double& a) {
   if (t_s <= 0) return;
   const double w = kTwoPi * mode.freq_Hz, d = mode.damping * w, wd = std::sqrt(w * w - d * d);
   const double p = kTwoPi / kPulse_s, re = w * w - p * p, im = 2 * d * p, norm = re * re + im * im;
@@ -43,15 +43,15 @@ void add_started(const Swing& mode, double sign, double t_s, double& x, double& 
 struct Record {
   std::vector<double> accel_mps2, deflection_m;
 };
-Record record(const std::vector<Swing>& swings, double rest_s, double length_s) {
+Record record(const std::vector<ForcedMode>& modes, double rest_s, double length_s) {
   Record out;
   for (std::size_t n = 0; n < static_cast<std::size_t>(length_s * kFs_Hz); ++n) {
     const double t = static_cast<double>(n) / kFs_Hz - rest_s;
     double& a = out.accel_mps2.emplace_back();
     double& x = out.deflection_m.emplace_back();
-    for (const Swing& one : swings) {
-      add_started(one, 1, t, x, a);
-      add_started(one, -1, t - kPulse_s, x, a);
+    for (const ForcedMode& mode : modes) {
+      add_started(mode, 1, t, x, a);
+      add_started(mode, -1, t - kPulse_s, x, a);
     }
   }
   return out;
@@ -59,7 +59,7 @@ Record record(const std::vector<Swing>& swings, double rest_s, double length_s) 
 
 struct WeakRecords {
   const char* name;
-  std::vector<Swing> swings;
+  std::vector<ForcedMode> modes;
   double rest_s, length_s;
   double noise;  // over the RMS of the acceleration
 };
@@ -83,7 +83,7 @@ struct Errors {
 
 Errors errors_of(const WeakRecords& of, unsigned seed) {
   constexpr int kTrials = 200;
-  const Record clean = record(of.swings, of.rest_s, of.length_s);
+  const Record clean = record(of.modes, of.rest_s, of.length_s);
   const double true_m = test::largest_magnitude(clean.deflection_m);
   std::mt19937 random(seed);
   std::normal_distribution<double> gauss;
@@ -109,7 +109,7 @@ TEST(LargestDeflection, IsUnbiasedInWeakRecords) {
   // An RMS of 200 errors varies by 0.05. It is below 1 where the late deflection corrects the drift, theory (7.5).
   constexpr double kMaxRms = 1.2;
   constexpr double kFurthest = 4.6;  // standard deviations: exceeded by one of 800 errors once in 300 such tests
-  const std::vector<Swing> two{{6, 0.02, 60}, {41, 0.01, 80}}, quicker{{8, 0.02, 60}, {41, 0.01, 80}};
+  const std::vector<ForcedMode> two{{6, 0.02, 60}, {41, 0.01, 80}}, quicker{{8, 0.02, 60}, {41, 0.01, 80}};
   unsigned seed = 3;
   for (const WeakRecords& of : std::vector<WeakRecords>{{"two modes", two, 0.1, 1.1, 0.05},
                                                         {"three swings", quicker, 0.1, 0.4, 0.002},

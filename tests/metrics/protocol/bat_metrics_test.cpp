@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <functional>
 
 #include "metrics/protocol/resolution.hpp"
 #include "support/input_error.hpp"
@@ -38,8 +37,6 @@ TEST(BatMetrics, RefuseBesrTogetherWithBbcor) {
   readings.besr.reset();
   EXPECT_EQ(bat_metrics(readings).bbcor->value(), 0.5);
 }
-
-using Result = std::function<double(const BatMetrics&)>;
 
 TEST(BatMetrics, PropagatesTheErrorOfEveryReading) {
   constexpr double kRelative = 1e-5;

@@ -52,6 +52,7 @@ TEST(FirstBlows, TellsRingingFromASilentChannel) {
           50 * std::sin(2 * std::numbers::pi * 151.37 * static_cast<double>(i) / kTubeRate_Hz);
   }
   bench.play_all();
+  ASSERT_EQ(bench.marks().size(), 3U);
   for (std::size_t blow = 1; blow < bench.marks().size(); ++blow)
     EXPECT_EQ(bench.marks()[blow], RowMark::still_ringing) << bench.witness.blows[blow].grade.reason;
 }

@@ -86,6 +86,7 @@ TEST(Guide, RejectsClippedForcesAndResponses) {
   EXPECT_THAT(force.marks(), testing::Contains(RowMark::force_overload));
   Bench accel(struck_tube(kFiveTimes, 8, R"("recorder": {"accel_clip_mps2": 100})"));
   accel.play_all();
+  ASSERT_FALSE(accel.marks().empty());
   for (const RowMark mark : accel.marks()) EXPECT_EQ(mark, RowMark::response_overload);
   EXPECT_EQ(accel.guide->session().accepted(), 0U);
 }
@@ -163,6 +164,7 @@ TEST(Guide, JudgesTheRangeByFullScale) {
   bench.guide = std::make_unique<Guide>(bench.source.format, live_channels(bench.source.format, {}),
                                         GuideOptions{.folder = testing::TempDir()}, bench.log, bench.witness);
   bench.play_all();
+  ASSERT_FALSE(bench.witness.blows.empty());
   for (const BlowReport& blow : bench.witness.blows) {
     EXPECT_NEAR(blow.grade.force_range.value_or(0), std::abs(blow.grade.peak_N) / 320, 0.01);
     EXPECT_EQ(blow.grade.mark == RowMark::force_overload, blow.grade.force_range > 0.999);

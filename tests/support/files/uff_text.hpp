@@ -44,6 +44,9 @@ struct UffText {
   }
 };
 
+/// The function of a hammer's force in newtons, at node 1.
+inline const UffText kUffForce{.response = "hammer", .ordinate = 13, .ordinate_unit = "N"};
+
 /// The bytes of a number, in big-endian order if `big`.
 template <class Number>
 std::string number_bytes(Number number, bool big = false) {

@@ -170,7 +170,7 @@ std::variant<acquire::Record, acquire::FrfRecord> opened_at(const ReadFlags& rea
 }
 
 // Prints why a file, or its samples, cannot be read. Returns the exit code.
-int refused(const OutputFlags& output, const InputError& error) {
+int print_refusal(const OutputFlags& output, const InputError& error) {
   if (output.host == nullptr) std::cerr << "percuss: " << error.written(flag_of) << '\n';
   return kBadInput;
 }
@@ -201,7 +201,7 @@ int run_info(InfoFlags flags) {
       const RecordSamples samples = samples_of(record);
       files.push_back(record_json(record, samples));
       if (!flags.output.json) std::cout << record_text(record, samples, terminal_width(), can_plot_in_terminal());
-      if (samples.problem) code = refused(flags.output, *samples.problem);
+      if (samples.problem) code = print_refusal(flags.output, *samples.problem);
     } catch (const acquire::AmbiguousColumns& seen) {
       files.push_back(columns_json(flags.read.paths[i], seen));
       any = true;
@@ -209,7 +209,7 @@ int run_info(InfoFlags flags) {
     } catch (const InputError& error) {
       // One bad file must not hide the descriptions of the others.
       files.push_back({{"path", flags.read.paths[i]}, {"error", error.what()}});
-      code = refused(flags.output, error);
+      code = print_refusal(flags.output, error);
     }
   }
   const std::string document =

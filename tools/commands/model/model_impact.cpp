@@ -175,10 +175,9 @@ void add_model_impact(CommandLine& line) {
       line.command("model impact", "Predict the impact of a ball on a beam: restitution, force and deflection",
                    [flags] { return model_impact(*flags); });
   command.about(
-      "Simulates the impact of a ball on the beam of percuss model beam: coefficient of restitution (COR), force, "
-      "contact time and deflection of the beam, at the first contact and after the last. --sweep varies constants of "
-      "the beam, the impact position or the "
-      "speed.");
+      "Simulates the impact of a ball on the beam of percuss model beam: coefficient of restitution (COR) after the "
+      "first contact and after the last, contact time, largest force, and deflection of the beam until 80 ms after the "
+      "first contact. --sweep varies constants of the beam, the impact position or the speed.");
   command.example("percuss model impact --at 0.5 --speed 6", "Simulate one impact, 0.5 m from the spring at 6 m/s");
   command.example("percuss model impact --sweep ei=1000:1000:6000 --sweep rho-a=0.6:0.2:3 -o curves.svg",
                   "Draw the COR against stiffness and mass");

@@ -16,9 +16,9 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kMaxSlices = 1000, kMaxLayers = 9, kMaxColumns = 3 + 4 * kMaxLayers;
-constexpr double kMaxEnd_m = 10, kMaxDiameter_m = 1;
-constexpr double kMinDiameter_m = 1e-4;
+constexpr std::size_t kMaxRows = 1000, kMaxLayers = 9, kMaxColumns = 3 + 4 * kMaxLayers;
+constexpr double kMaxEnd_m = 10, kMaxSize_m = 1;
+constexpr double kMinSize_m = 1e-4;
 constexpr const char* kProfileForm =
     "write a position from the knob or from x = 0, and a diameter, or width and thickness, in each line";
 constexpr const char* kNamesForm =
@@ -177,7 +177,7 @@ model::SectionStation station_of(const NumberTableRow& row, const std::vector<Pr
     const double value = row.values[i], size_m = value * units.size_m;
     model::SectionLayer& layer = station.layers[columns[i].layer];
     const auto checked_size = [&](const char* name) {
-      if (!(size_m >= kMinDiameter_m && size_m <= kMaxDiameter_m))
+      if (!(size_m >= kMinSize_m && size_m <= kMaxSize_m))
         throw refuse_size(fmt::format("{} of {:g} m is not between 0.0001 and 1 m", name, size_m));
       return size_m;
     };
@@ -200,7 +200,7 @@ model::SectionStation station_of(const NumberTableRow& row, const std::vector<Pr
         layer.thickness_m = checked_size("a thickness");
         break;
       case ColumnKind::wall:
-        if (!(size_m > 0 && size_m <= kMaxDiameter_m))
+        if (!(size_m > 0 && size_m <= kMaxSize_m))
           throw refuse_size(fmt::format("a wall of {:g} m is not above 0 and at most 1 m", size_m));
         layer.thickness_m = size_m;
         break;
@@ -223,7 +223,7 @@ model::SectionStation station_of(const NumberTableRow& row, const std::vector<Pr
 model::SectionTable read_section_table(const std::string& path, const SectionTableForm& form) {
   const LengthUnits units = length_units(form.units);
   const NumberTable table = read_named_number_table(
-      path, {.columns = 2, .max_columns = kMaxColumns, .max_rows = kMaxSlices, .remedy = kProfileForm});
+      path, {.columns = 2, .max_columns = kMaxColumns, .max_rows = kMaxRows, .remedy = kProfileForm});
   const std::vector<ProfileColumn> columns = columns_of(table, form, input_name(path));
   std::size_t layers = 1;
   for (const ProfileColumn& one : columns) layers = std::max(layers, one.layer + 1);

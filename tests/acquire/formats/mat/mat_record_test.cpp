@@ -307,8 +307,8 @@ TEST_F(MatWritten, IsRefusedWhenTruncated) {
   };
   // After `accel`, a cut between two variables leaves a readable file. The cuts end before the end of `accel`: its
   // samples and the header of accel_unit take less than 200 bytes.
-  const std::size_t accel = good.find("accel_unit");
-  for (std::size_t cut = 0; cut < accel - 200; cut += 3) EXPECT_FALSE(try_bytes(good.substr(0, cut))) << cut;
+  const std::size_t accel_unit = good.find("accel_unit");
+  for (std::size_t cut = 0; cut < accel_unit - 200; cut += 3) EXPECT_FALSE(try_bytes(good.substr(0, cut))) << cut;
   EXPECT_TRUE(try_bytes(good));
 }
 

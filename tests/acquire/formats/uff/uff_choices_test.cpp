@@ -8,6 +8,7 @@
 #include "acquire/formats/uff/uff_roles.hpp"
 #include "core/units.hpp"
 #include "support/files/csv_text.hpp"
+#include "support/files/uff_record.hpp"
 #include "support/files/uff_text.hpp"
 #include "support/input_error.hpp"
 #include "support/record_samples.hpp"
@@ -19,6 +20,8 @@ using test::accel_mps2;
 using test::csv_bytes;
 using test::force_N;
 using test::input_error_of;
+using test::kUffForce;
+using test::opened_uff;
 using test::uff_frf;
 using test::uff_frf_header;
 using test::uff_function;
@@ -26,10 +29,7 @@ using test::UffText;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const UffText kForce{.response = "hammer", .ordinate = 13, .ordinate_unit = "N"};
 const UffText kAccel{.response = "acc", .ordinate = 12, .ordinate_unit = "m/s^2"};
-
-Record opened(const std::string& text, const ReadOptions& options = {}) { return open_uff(csv_bytes(text), options); }
 
 // A function of three numbers 1, 2, 3 at the times.
 std::string uneven_text(UffText set, const std::vector<double>& times_s) {
@@ -41,11 +41,11 @@ std::string uneven_text(UffText set, const std::vector<double>& times_s) {
 }
 
 TEST(UffChoices, TakeAReactionForceAsForce) {
-  UffText plate = kForce;
+  UffText plate = kUffForce;
   plate.response = "plate";
   plate.ordinate = 9;
   plate.ordinate_unit = "NONE";
-  const Record record = opened(uff_function(plate, 1) + uff_function(kAccel, 3));
+  const Record record = opened_uff(uff_function(plate, 1) + uff_function(kAccel, 3));
   EXPECT_EQ(record.force.name, "plate");
   EXPECT_THAT(force_N(record), ElementsAre(1, 2));
 }
@@ -58,7 +58,7 @@ TEST(UffChoices, TakeTheForceThatTheSetUpNames) {
   first.ordinate_unit = second.ordinate_unit = "NONE";
   const std::string text = uff_function(second, 5) + uff_function(first, 1);
   const Record record =
-      opened(text, {.setup = {{.name = "ch1", .role = "acceleration"}, {.name = "ch2", .role = "force"}}});
+      opened_uff(text, {.setup = {{.name = "ch1", .role = "acceleration"}, {.name = "ch2", .role = "force"}}});
   EXPECT_EQ(record.force.name, "ch2");
   EXPECT_THAT(force_N(record), ElementsAre(5, 6));
   EXPECT_THAT(accel_mps2(record), ElementsAre(1, 2));
@@ -68,13 +68,13 @@ TEST(UffChoices, CallASensorRovingWhereOneNodeWasStruck) {
   const auto points = [](const std::vector<std::pair<int, int>>& nodes) {
     std::string text;
     for (const auto& [struck, sensed] : nodes) {
-      UffText force = kForce, accel = kAccel;
+      UffText force = kUffForce, accel = kAccel;
       accel.reference_node = struck;
       accel.response_node = sensed;
       text += uff_function(force, 1) + uff_function(accel, 3);
     }
     std::vector<int> out;
-    for (const RowInfo& row : opened(text).rows) out.push_back(row.point);
+    for (const RowInfo& row : opened_uff(text).rows) out.push_back(row.point);
     return out;
   };
   EXPECT_THAT(points({{1, 4}, {1, 9}, {1, 7}}), ElementsAre(4, 9, 7));
@@ -89,37 +89,38 @@ TEST(UffChoices, RefuseTimeStepsThatAreNotPositive) {
   for (const auto& [dx, named] : {std::pair{"  0.00000E+00", "a time step of 0 s"},
                                   {" -1.00000E-03", "a time step of -0.001 s"},
                                   {"          inf", "a time step of inf s"}}) {
-    UffText force = kForce, accel = kAccel;
+    UffText force = kUffForce, accel = kAccel;
     force.dx = accel.dx = dx;
     const std::string text = uff_function(force, 1) + uff_function(accel, 3);
-    EXPECT_THAT(input_error_of([&] { opened(text); }), HasSubstr(named));
-    EXPECT_EQ(opened(text, {.fs_Hz = 500}).fs_Hz, 500);
+    EXPECT_THAT(input_error_of([&] { opened_uff(text); }), HasSubstr(named));
+    EXPECT_EQ(opened_uff(text, {.fs_Hz = 500}).fs_Hz, 500);
   }
 }
 
 // A step of six digits is replaced by the roundest rate that it may stand for. One digit allows too many rates.
 TEST(UffChoices, DoNotRoundTheRateOfAStepOfOneDigit) {
-  UffText force = kForce, accel = kAccel;
+  UffText force = kUffForce, accel = kAccel;
   force.dx = accel.dx = "       3.E-04";
-  EXPECT_EQ(opened(uff_function(force, 1) + uff_function(accel, 3)).fs_Hz, 1 / 3e-4);
+  EXPECT_EQ(opened_uff(uff_function(force, 1) + uff_function(accel, 3)).fs_Hz, 1 / 3e-4);
 }
 
 TEST(UffChoices, RequireOneRateOfUnevenTimes) {
   const std::vector<double> slow{0, 0.001, 0.002}, later{5, 5.001, 5.002}, fast{0, 0.0005, 0.001};
-  const Record record = opened(uneven_text(kForce, slow) + uneven_text(kAccel, slow) + uneven_text(kForce, later) +
-                               uneven_text(kAccel, later));
+  const Record record = opened_uff(uneven_text(kUffForce, slow) + uneven_text(kAccel, slow) +
+                                   uneven_text(kUffForce, later) + uneven_text(kAccel, later));
   EXPECT_EQ(record.fs_Hz, 1000);
   ASSERT_EQ(record.rows.size(), 2U);
   EXPECT_THAT(accel_mps2(record, 0, 1), ElementsAre(1, 2, 3));
-  EXPECT_THAT(input_error_of([&] { opened(uneven_text(kForce, slow) + uneven_text(kAccel, fast)); }),
+  EXPECT_THAT(input_error_of([&] { opened_uff(uneven_text(kUffForce, slow) + uneven_text(kAccel, fast)); }),
               HasSubstr("functions of hit 1 differ in their sampling rate"));
   UffText even = kAccel;
   even.values = 3;
-  EXPECT_THAT(input_error_of(
-                  [&] { opened(uneven_text(kForce, slow) + even.text("  1.00000E+00  2.00000E+00  3.00000E+00\n")); }),
+  EXPECT_THAT(input_error_of([&] {
+                opened_uff(uneven_text(kUffForce, slow) + even.text("  1.00000E+00  2.00000E+00  3.00000E+00\n"));
+              }),
               HasSubstr("functions of hit 1 differ in their sampling rate"));
   EXPECT_THAT(input_error_of([&] {
-                opened(uneven_text(kForce, {0, 1, 5}) + uneven_text(kAccel, {0, 1, 5}));
+                opened_uff(uneven_text(kUffForce, {0, 1, 5}) + uneven_text(kAccel, {0, 1, 5}));
               }),
               HasSubstr("state the sampling rate"));
 }
@@ -127,12 +128,12 @@ TEST(UffChoices, RequireOneRateOfUnevenTimes) {
 TEST(UffChoices, ReadUnevenTimesOfBinarySets) {
   std::string bytes;
   for (const float number : {0.0F, 1.0F, 0.001F, 2.0F, 0.002F, 3.0F}) bytes += test::number_bytes(number);
-  UffText force = kForce, accel = kAccel;
+  UffText force = kUffForce, accel = kAccel;
   for (UffText* set : {&force, &accel}) {
     set->spacing = 0;
     set->values = 3;
   }
-  const Record record = opened(force.binary(bytes, 1, bytes.size()) + accel.binary(bytes, 1, bytes.size()));
+  const Record record = opened_uff(force.binary(bytes, 1, bytes.size()) + accel.binary(bytes, 1, bytes.size()));
   EXPECT_NEAR(record.fs_Hz, 2 / static_cast<double>(0.002F), 1e-9);  // rounding
   EXPECT_THAT(force_N(record), ElementsAre(1, 2, 3));
 }
@@ -140,9 +141,9 @@ TEST(UffChoices, ReadUnevenTimesOfBinarySets) {
 TEST(UffChoices, TakeFunctionsOfUnknownTypeByTheirAbscissa) {
   UffText complex{.type = 0, .ordinate_type = 5, .values = 1, .abscissa = 17};
   const std::string numbers = "  1.00000E+00  2.00000E+00\n";
-  EXPECT_THAT(input_error_of([&] { opened(complex.text(numbers)); }), HasSubstr("no time records and no FRFs"));
+  EXPECT_THAT(input_error_of([&] { opened_uff(complex.text(numbers)); }), HasSubstr("no time records and no FRFs"));
   complex.abscissa = 18;
-  EXPECT_THAT(input_error_of([&] { opened(complex.text(numbers)); }), HasSubstr("the file holds FRFs"));
+  EXPECT_THAT(input_error_of([&] { opened_uff(complex.text(numbers)); }), HasSubstr("the file holds FRFs"));
 }
 
 TEST(UffChoices, NameDegreesOfFreedom) {

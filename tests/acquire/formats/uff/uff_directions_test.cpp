@@ -10,9 +10,11 @@
 #include "acquire/open_measurement.hpp"
 #include "core/units.hpp"
 #include "support/files/csv_text.hpp"
+#include "support/files/uff_record.hpp"
 #include "support/files/uff_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
+#include "support/record_samples.hpp"
 #include "support/scratch_folder.hpp"
 
 // What the directions of data set 58 mean for signs, points, roving sensors and shapes.
@@ -22,6 +24,7 @@ using test::accel_mps2;
 using test::csv_bytes;
 using test::force_N;
 using test::input_error_of;
+using test::opened_uff;
 using test::UffText;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -89,8 +92,6 @@ std::string hit(Dof struck, const std::vector<Dof>& responses) {
   for (const Dof& at : responses) out += function("NONE", at, 12, "m/s^2", 3);
   return out;
 }
-
-Record opened(const std::string& text) { return open_uff(csv_bytes(text)); }
 
 TEST(UffDirections, ChangeTheSignOfFrfsInNegativeDirections) {
   const FrfRecord record = read(frf({1, 3}, {4, 3}, 1) + frf({1, 3}, {5, -3}, 1) + frf({1, 3}, {6, -1}, 1));
@@ -175,7 +176,7 @@ TEST(UffDirections, TellThatSensorsRoved) {
 }
 
 TEST(UffDirections, ChangeTheSignOfResponsesOverTime) {
-  const Record record = opened(hit({4, 3}, {{1, 3}, {1, -1}}) + hit({5, -2}, {{1, 3}, {1, -1}}));
+  const Record record = opened_uff(hit({4, 3}, {{1, 3}, {1, -1}}) + hit({5, -2}, {{1, 3}, {1, -1}}));
   EXPECT_THAT(force_N(record, 1), ElementsAre(1, 2)) << "a pulse stays positive";
   EXPECT_THAT(accel_mps2(record, 0, 0), ElementsAre(3, 4));
   EXPECT_THAT(accel_mps2(record, 1, 0), ElementsAre(-3, -4));
@@ -200,29 +201,29 @@ TEST(UffDirections, ChangeTheSignOfResponsesWithoutAForce) {
 }
 
 TEST(UffDirections, MakeSeveralPointsOfANodeOverTime) {
-  const Record record = opened(hit({4, 3}, {{1, 3}}) + hit({4, -3}, {{1, 3}}) + hit({4, 1}, {{1, 3}}));
+  const Record record = opened_uff(hit({4, 3}, {{1, 3}}) + hit({4, -3}, {{1, 3}}) + hit({4, 1}, {{1, 3}}));
   EXPECT_EQ(record.rows[0].point, 14);
   EXPECT_EQ(record.rows[1].point, 14) << "one degree of freedom, struck from both sides";
   EXPECT_EQ(record.rows[2].point, 4);
   EXPECT_EQ(place_of_point(record.motions, 14), 4);
-  const Record unnumbered = opened(hit({0, 3}, {{1, 3}}) + hit({0, 1}, {{1, 3}}));
+  const Record unnumbered = opened_uff(hit({0, 3}, {{1, 3}}) + hit({0, 1}, {{1, 3}}));
   EXPECT_EQ(unnumbered.rows[0].point, 10);
   EXPECT_EQ(unnumbered.rows[1].point, 0);
 }
 
 TEST(UffDirections, TellThatSensorsRovedOverTime) {
   const Record record =
-      opened(hit({1, 3}, {{4, 1}, {4, 3}}) + hit({1, 3}, {{4, 1}, {4, 3}}) + hit({1, 3}, {{7, 1}, {7, -3}}));
+      opened_uff(hit({1, 3}, {{4, 1}, {4, 3}}) + hit({1, 3}, {{4, 1}, {4, 3}}) + hit({1, 3}, {{7, 1}, {7, -3}}));
   EXPECT_TRUE(record.sensor_roves);
   EXPECT_EQ(record.rows[1].point, 4);
   EXPECT_EQ(record.rows[2].point, 7);
   EXPECT_EQ(find_motion(record.motions, 7, 1)->along, kZ);
   EXPECT_THAT(accel_mps2(record, 1, 2), ElementsAre(-3, -4));
   EXPECT_THAT(input_error_of([&] {
-                opened(hit({1, 3}, {{4, 1}, {5, 1}}) + hit({1, 3}, {{6, 1}, {7, 1}}));
+                opened_uff(hit({1, 3}, {{4, 1}, {5, 1}}) + hit({1, 3}, {{6, 1}, {7, 1}}));
               }),
               HasSubstr("response 1 is at node 4 in hit 1 and at node 6 in hit 2"));
-  EXPECT_FALSE(opened(hit({1, 3}, {{4, 1}, {5, 1}}) + hit({1, 3}, {{4, 1}, {5, 1}})).sensor_roves);
+  EXPECT_FALSE(opened_uff(hit({1, 3}, {{4, 1}, {5, 1}}) + hit({1, 3}, {{4, 1}, {5, 1}})).sensor_roves);
 }
 
 // percuss writes the direction of a sensor by its angle. The sign of the samples is not in question there.

@@ -10,7 +10,7 @@
 #include "acquire/record/frf_record.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "support/files/csv_text.hpp"
+#include "support/files/uff_record.hpp"
 #include "support/files/uff_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
@@ -20,25 +20,23 @@
 namespace percuss::acquire::uff_record_test {
 
 using test::accel_mps2;
-using test::csv_bytes;
 using test::force_N;
 using test::input_error_of;
+using test::kUffForce;
+using test::opened_uff;
 using test::uff_function;
 using test::UffText;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-Record opened(const std::string& text, const ReadOptions& options = {}) { return open_uff(csv_bytes(text), options); }
-
-const UffText kForce{.response = "hammer", .ordinate = 13, .ordinate_unit = "N"};
 const UffText kAccel{.response = "acc", .ordinate = 12, .ordinate_unit = "g"};
 
 TEST(UffRecord, BeginsARowWithEachForce) {
   UffText second = kAccel;
   second.response_direction = 2;
-  const std::string hit = uff_function(kForce, 1) + uff_function(kAccel, 3) + uff_function(second, 5);
-  const Record record = opened(hit + hit);
+  const std::string hit = uff_function(kUffForce, 1) + uff_function(kAccel, 3) + uff_function(second, 5);
+  const Record record = opened_uff(hit + hit);
   ASSERT_EQ(record.rows.size(), 2U);
   ASSERT_EQ(record.accel.size(), 2U);
   EXPECT_EQ(record.accel[0].name, "acc");
@@ -49,13 +47,13 @@ TEST(UffRecord, BeginsARowWithEachForce) {
 }
 
 TEST(UffRecord, ReadsForcesThatComeLastOrInTheirOwnGroup) {
-  const Record last =
-      opened(uff_function(kAccel, 3) + uff_function(kForce, 1) + uff_function(kAccel, 7) + uff_function(kForce, 5));
+  const Record last = opened_uff(uff_function(kAccel, 3) + uff_function(kUffForce, 1) + uff_function(kAccel, 7) +
+                                 uff_function(kUffForce, 5));
   ASSERT_EQ(last.rows.size(), 2U);
   EXPECT_EQ(accel_mps2(last, 0, 0)[0], 3 * kStandardGravity_mps2);
   EXPECT_EQ(force_N(last, 1)[0], 5);
-  const Record groups =
-      opened(uff_function(kForce, 1) + uff_function(kForce, 2) + uff_function(kAccel, 3) + uff_function(kAccel, 4));
+  const Record groups = opened_uff(uff_function(kUffForce, 1) + uff_function(kUffForce, 2) + uff_function(kAccel, 3) +
+                                   uff_function(kAccel, 4));
   ASSERT_EQ(groups.rows.size(), 2U);
   EXPECT_EQ(accel_mps2(groups, 0, 1)[0], 4 * kStandardGravity_mps2);
 }
@@ -65,13 +63,13 @@ TEST(UffRecord, NumbersPointsByTheNodeStruckOrByTheRovingSensor) {
   at4.reference_node = 4;
   at9.reference_node = 9;
   const Record hammer =
-      opened(uff_function(kForce, 1) + uff_function(at4, 1) + uff_function(kForce, 1) + uff_function(at9, 1));
+      opened_uff(uff_function(kUffForce, 1) + uff_function(at4, 1) + uff_function(kUffForce, 1) + uff_function(at9, 1));
   EXPECT_THAT(hammer.points(), ElementsAre(4, 9));
   at4 = at9 = kAccel;
   at4.response_node = 4;
   at9.response_node = 9;
   const Record sensor =
-      opened(uff_function(kForce, 1) + uff_function(at4, 1) + uff_function(kForce, 1) + uff_function(at9, 1));
+      opened_uff(uff_function(kUffForce, 1) + uff_function(at4, 1) + uff_function(kUffForce, 1) + uff_function(at9, 1));
   EXPECT_THAT(sensor.points(), ElementsAre(4, 9));
 }
 
@@ -81,19 +79,19 @@ TEST(UffRecord, NamesDrivingPoints) {
   at4.reference_node = 4;
   at4.reference_direction = at9.reference_direction = 3;
   const std::string hits =
-      uff_function(kForce, 1) + uff_function(at4, 1) + uff_function(kForce, 1) + uff_function(at9, 1);
-  EXPECT_THAT(opened(hits).driving, ElementsAre(DrivingPlace{9, 0}));
+      uff_function(kUffForce, 1) + uff_function(at4, 1) + uff_function(kUffForce, 1) + uff_function(at9, 1);
+  EXPECT_THAT(opened_uff(hits).driving, ElementsAre(DrivingPlace{9, 0}));
 }
 
 TEST(UffRecord, TakesUnitsFromTheFileWhereFunctionsStateNone) {
   const std::string units = test::uff_units(1000, 1000);
-  UffText force = kForce, accel = kAccel;
+  UffText force = kUffForce, accel = kAccel;
   force.ordinate_unit = accel.ordinate_unit = "NONE";
-  const Record record = opened(units + uff_function(force, 1) + uff_function(accel, 3));
+  const Record record = opened_uff(units + uff_function(force, 1) + uff_function(accel, 3));
   EXPECT_EQ(force_N(record)[0], 1e-3);
   EXPECT_EQ(accel_mps2(record)[0], 3e-3);
   EXPECT_THAT(record.notes, IsEmpty());
-  const Record bare = opened(uff_function(force, 1) + uff_function(accel, 3));
+  const Record bare = opened_uff(uff_function(force, 1) + uff_function(accel, 3));
   EXPECT_THAT(test::texts(bare.notes), ElementsAre(HasSubstr("taken as N"), HasSubstr("taken as m/s^2")));
 }
 
@@ -104,20 +102,21 @@ TEST(UffRecord, IsAmbiguousWithoutAForceFunction) {
   first.ordinate = second.ordinate = 0;
   first.ordinate_unit = second.ordinate_unit = "NONE";
   const std::string text = uff_function(first, 1) + uff_function(second, 5);
-  EXPECT_THAT(input_error_of([&] { opened(text); }), HasSubstr("no force column found among ch1, ch2"));
-  const Record record = opened(text, {.force_channel = "ch2", .accel_channels = {"ch1"}});
+  EXPECT_THAT(input_error_of([&] { opened_uff(text); }), HasSubstr("no force column found among ch1, ch2"));
+  const Record record = opened_uff(text, {.force_channel = "ch2", .accel_channels = {"ch1"}});
   EXPECT_EQ(force_N(record)[0], 5);
 }
 
 TEST(UffRecord, RefusesUnpairedFunctionsAndOtherContents) {
-  EXPECT_THAT(
-      input_error_of([&] { opened(uff_function(kForce, 1) + uff_function(kForce, 1) + uff_function(kAccel, 1)); }),
-      HasSubstr("2 forces and 1 responses"));
+  EXPECT_THAT(input_error_of([&] {
+                opened_uff(uff_function(kUffForce, 1) + uff_function(kUffForce, 1) + uff_function(kAccel, 1));
+              }),
+              HasSubstr("2 forces and 1 responses"));
   UffText slower = kAccel;
   slower.dx = "  2.00000E-03";
-  EXPECT_THAT(input_error_of([&] { opened(uff_function(kForce, 1) + uff_function(slower, 1)); }),
+  EXPECT_THAT(input_error_of([&] { opened_uff(uff_function(kUffForce, 1) + uff_function(slower, 1)); }),
               HasSubstr("differ in their sampling rate"));
-  EXPECT_THAT(input_error_of([&] { opened("    -1\n    15\n    -1\n"); }), HasSubstr("data sets 15 (1)"));
+  EXPECT_THAT(input_error_of([&] { opened_uff("    -1\n    15\n    -1\n"); }), HasSubstr("data sets 15 (1)"));
 }
 
 class UffWritten : public testing::Test {
@@ -190,7 +189,7 @@ TEST_F(UffWritten, IsRefusedWhenTruncatedAnywhere) {
     const std::string bytes = test::bytes_of(path_);
     for (std::size_t cut = 0; cut + 1 < bytes.size(); ++cut) {  // the last line may lack its end
       try {
-        opened(bytes.substr(0, cut));
+        opened_uff(bytes.substr(0, cut));
         ADD_FAILURE() << "read with " << cut << " of " << bytes.size() << " bytes";
       } catch (const InputError&) {
       }
@@ -209,7 +208,7 @@ TEST_F(UffWritten, SurvivesMutations) {
     std::string damaged = i % 2 == 0 ? text : binary;
     for (int n = 0; n < 1 + i % 4; ++n) damaged[random() % damaged.size()] = "0123456789-+. Eb\n\xFF"[random() % 18];
     try {
-      const Record record = opened(damaged);
+      const Record record = opened_uff(damaged);
       for (std::size_t row = 0; row < record.rows.size(); ++row) {
         for (const double sample : force_N(record, row)) ASSERT_TRUE(std::isfinite(sample));
         for (std::size_t channel = 0; channel < record.accel.size(); ++channel) {
