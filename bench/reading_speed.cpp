@@ -1,9 +1,7 @@
 // percuss_reading_speed FILE...
 // Compares the speed of reading all samples of a record with the speed of reading its bytes (read() in blocks of 128
 // KiB, like cat), both from the page cache and in the same run. Each time is the best of several in alternation.
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -14,22 +12,14 @@
 
 #include "acquire/open_measurement.hpp"
 #include "acquire/record/record.hpp"
+#include "read_bytes.hpp"
 #include "wall_time.hpp"
 
 namespace percuss {
 namespace {
 
 constexpr double kMin_s = 3;  // for each file
-constexpr std::size_t kBlock_bytes = std::size_t{1} << 17U;
 constexpr std::size_t kBlock_samples = std::size_t{1} << 15U;
-
-void cat(const std::string& path) {
-  static std::vector<char> block(kBlock_bytes);
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  while (::read(descriptor, block.data(), block.size()) > 0) {
-  }
-  ::close(descriptor);
-}
 
 // Reads every signal block by block, like an analysis.
 void read_all(const std::string& path) {
@@ -50,7 +40,7 @@ void measure(const std::string& path) {
   const double megabytes = static_cast<double>(std::filesystem::file_size(path)) / 1e6;
   double cat_s = 1e9, read_s = 1e9, spent_s = 0;
   for (int turn = 0; turn < 3 || spent_s < kMin_s; ++turn) {
-    const double one_s = seconds_of([&] { cat(path); }), other_s = seconds_of([&] { read_all(path); });
+    const double one_s = seconds_of([&] { read_bytes_of(path); }), other_s = seconds_of([&] { read_all(path); });
     cat_s = std::min(cat_s, one_s);
     read_s = std::min(read_s, other_s);
     spent_s += one_s + other_s;

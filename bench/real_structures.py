@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """real_structures.py [--data FOLDER] [--measured FOLDER] [--outcomes JSON] [--percuss TOOL] DOCS
 
-Measures percuss on measured structures and on simulated imperfect tests. Rewrites the section "On real structures" of
-DOCS/accuracy.md and the section "Imperfect tests" of DOCS/stress.md; the other sections stay. The ordinary build and
-the other documents need none of these data.
+Measures percuss on measured structures and counts the outcomes of simulated imperfect tests. Rewrites the section "On
+real structures" of DOCS/accuracy.md and the section "Imperfect tests" of DOCS/stress.md; the other sections stay. The
+ordinary build and the other documents need none of these data.
 
   --data      folder with a folder per measured set: independent.json (reference modes), and its record where
               the licence permits a copy

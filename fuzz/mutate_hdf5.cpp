@@ -29,14 +29,15 @@ struct Message {
   std::size_t type_at = 0, size_at = 0, at = 0, size = 0;
 };
 
-// Bytes that a checksum follows: the superblock, or the first chunk of an object header of version 2.
-struct Checked {
+// Bytes first … end − 1 of the file.
+struct ByteRange {
   std::size_t first = 0, end = 0;
 };
 
 struct Structure {
   std::vector<Message> messages;
-  std::vector<Checked> checked;
+  // A checksum follows each: the superblock, and the first chunk of each object header of version 2.
+  std::vector<ByteRange> checked;
   std::vector<std::size_t> entries;  // of symbol tables
 };
 
@@ -76,7 +77,7 @@ std::uint32_t checksum(std::string_view bytes) {
 void add_header_v1(std::string_view bytes, std::size_t at, Structure& out) {
   constexpr std::size_t kPrefix = 16, kMessageHead = 8, kMaxMessages = 64;
   if (at >= bytes.size() || bytes[at] != 1) return;
-  std::vector<Checked> blocks{{at + kPrefix, at + kPrefix + number_at<std::uint32_t>(bytes, at + 8)}};
+  std::vector<ByteRange> blocks{{at + kPrefix, at + kPrefix + number_at<std::uint32_t>(bytes, at + 8)}};
   std::size_t found = 0;
   for (std::size_t block = 0; block < blocks.size() && block < 8; ++block) {
     const std::size_t end = std::min(blocks[block].end, bytes.size());
@@ -181,7 +182,7 @@ void mutate_hdf5(std::string& bytes, Random& random) {
   } else {
     change_message(bytes, message, random);
   }
-  for (const Checked& block : found.checked) {
+  for (const ByteRange& block : found.checked) {
     if (random() % 16 != 0 && block.end <= bytes.size())
       set_number(bytes, block.end, checksum(std::string_view(bytes).substr(block.first, block.end - block.first)));
   }

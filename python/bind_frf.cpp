@@ -79,7 +79,7 @@ Object frf_description(PyObject* self, const Arguments& /*arguments*/) {
   out.set("accel", accel);
   out.set("decay_per_s", record.decay_per_s);
   out.set("notes", notes_of(record.notes));
-  out.set("frequency_hz", array_of(freq_Hz_of(record.lines)));
+  out.set("frequency_hz", array_of(acquire::frequencies_Hz(record.lines)));
   return out;
 }
 

@@ -18,7 +18,7 @@ std::size_t test_in(const Arguments& arguments) { return static_cast<std::size_t
 Object frequencies_of(PyObject* self, const Arguments& arguments) {
   const SharedResult& held = held_by(self);
   const pipeline::Analysis& analysis = *analysis_of(held, test_in(arguments));
-  return array_of(freq_Hz_of(compute(held, [&] { return band_of(analysis); })));
+  return array_of(acquire::frequencies_Hz(compute(held, [&] { return band_of(analysis); })));
 }
 
 Object window_decay_of(PyObject* self, const Arguments& arguments) {
@@ -176,12 +176,6 @@ const std::shared_ptr<const pipeline::Analysis>& analysis_of(const SharedResult&
     raise_builtin(PyExc_IndexError, "there is no test " + std::to_string(test) + ": the result has " +
                                         std::to_string(all.size()) + ", from 0");
   return all[test];
-}
-
-std::vector<double> freq_Hz_of(const acquire::LineRange& lines) {
-  std::vector<double> freq_Hz(lines.count);
-  for (std::size_t i = 0; i < lines.count; ++i) freq_Hz[i] = lines.freq_Hz(i);
-  return freq_Hz;
 }
 
 acquire::LineRange band_of(const pipeline::Analysis& analysis) {

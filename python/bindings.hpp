@@ -59,7 +59,6 @@ decltype(auto) compute(const SharedResult& held, const Function& function) {
   return function();
 }
 
-std::vector<double> freq_Hz_of(const acquire::LineRange& lines);
 /// The analysed band; the fits also use spectral lines outside it.
 acquire::LineRange band_of(const pipeline::Analysis& analysis);
 

@@ -69,7 +69,7 @@ Object shapes_of(PyObject* self, const Arguments& /*arguments*/) {
   out.set("channels", array_of(std::move(channels)));
   out.set("mac", array_of(std::move(mac), {macs.size(), macs.size()}));
   out.set("cmif", array_of(std::move(cmif), {rows, columns}));
-  out.set("cmif_frequency_hz", array_of(freq_Hz_of(band)));
+  out.set("cmif_frequency_hz", array_of(acquire::frequencies_Hz(band)));
   return out;
 }
 

@@ -1,27 +1,16 @@
 #include "fft_read_baseline.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <map>
 #include <memory>
 
 #include "../fftw_baseline.hpp"
+#include "../read_bytes.hpp"
 
 namespace percuss::accuracy {
 namespace {
 
-constexpr std::size_t kBlock_bytes = std::size_t{1} << 17U;
 constexpr std::size_t kMaxMeasured = std::size_t{1}
                                      << 17U;  // samples; planning longer lengths by measurement takes seconds
-
-void read_bytes_of(const std::string& path) {
-  static std::vector<char> block(kBlock_bytes);
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  while (::read(descriptor, block.data(), block.size()) > 0) {
-  }
-  ::close(descriptor);
-}
 
 // Plans each length once, and forgets FFTW's wisdom afterwards. Otherwise percuss's own plans, made without
 // measurement, would use it.

@@ -22,12 +22,6 @@ struct Sums {
   }
 };
 
-std::vector<double> frequencies(const acquire::LineRange& lines) {
-  std::vector<double> freq_Hz(lines.count);
-  for (std::size_t k = 0; k < lines.count; ++k) freq_Hz[k] = lines.freq_Hz(k);
-  return freq_Hz;
-}
-
 // The error sums of one FRF; at the resonances also the largest error in dB.
 Sums error_sums(const acquire::PointFrf& found, const std::vector<Complex>& exact, const std::vector<double>& ff,
                 const acquire::LineRange& lines, const synth::Truth& truth) {
@@ -53,7 +47,7 @@ Sums one_run(const acquire::Record& record, const synth::Truth& truth, frf::Esti
   const pipeline::Analysis analysis(
       record, {.band_Hz = {{truth.spec.band_low_Hz, truth.spec.band_high_Hz}}, .estimator = estimator, .threads = 1});
   Sums sums;
-  const std::vector<double> freq_Hz = frequencies(analysis.lines());
+  const std::vector<double> freq_Hz = acquire::frequencies_Hz(analysis.lines());
   for (const acquire::PointFrf& frf : analysis.frfs()) {
     sums.add(error_sums(frf, synth::exact_accelerance(truth, 0, frf.channel, freq_Hz),
                         analysis.fitted_frfs().points.front().ff, analysis.lines(), truth));

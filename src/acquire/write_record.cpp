@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "acquire/record/channel_name.hpp"
+#include "acquire/record/stated_date.hpp"
 #include "core/error.hpp"
 
 namespace percuss::acquire {
@@ -61,6 +62,7 @@ std::vector<std::string> losses_of(const std::string& path, const Record& record
       std::any_of(record.rows.begin(), record.rows.end(), [](const RowInfo& row) { return row.mark != RowMark::none; });
   if (!format->keeps_marks && marked) losses.emplace_back("which blows were rejected while they were recorded");
   if (!format->keeps_marks && !record.faults.empty()) losses.emplace_back("the faults of the capture");
+  if (!format->keeps_date && !common_date_of(record.files).empty()) losses.emplace_back("the date of the test");
   return losses;
 }
 

@@ -60,7 +60,7 @@ FrfKind public_kind(acquire::FrfKind kind) {
 FrfSet make_frf_set(acquire::FrfRecord record, FrfKind kind) {
   FrfData data{.record = std::move(record), .kind = kind, .freq_Hz = {}, .frfs = {}};
   const acquire::LineRange& lines = data.record.lines;
-  for (std::size_t k = 0; k < lines.count; ++k) data.freq_Hz.push_back(lines.freq_Hz(k));
+  data.freq_Hz = acquire::frequencies_Hz(lines);
   for (const acquire::PointFrf& from : data.record.frfs) {
     acquire::Frf frf = kind == FrfKind::accelerance
                            ? from.frf

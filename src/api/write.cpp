@@ -4,16 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "acquire/format_registry.hpp"
+#include "acquire/record/file_format.hpp"
 #include "acquire/write_record.hpp"
 #include "api/handles.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
 #include "report/deflection_report.hpp"
-#include "report/frf_files.hpp"
 #include "report/html/analysis_page.hpp"
 #include "report/html/logo.hpp"
 #include "report/html/survey_page.hpp"
@@ -29,17 +28,10 @@ namespace percuss {
 namespace api {
 namespace {
 
-std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 /// The extension of `path`. errors  InputError: the extension is not in `known`; the file exists.
 std::string checked_extension(const std::string& path, const std::vector<std::string>& known,
                               const WriteOptions& options) {
-  std::string extension = extension_of(path);
+  std::string extension = acquire::file_extension(path);
   if (std::find(known.begin(), known.end(), extension) == known.end()) {
     throw InputError("the file's extension is not known", path,
                      fmt::format("use a name that ends in {}", fmt::join(known, ", ")));
@@ -96,7 +88,7 @@ void write(const std::string& path, const Record& record, const WriteOptions& op
 
 void write(const std::string& path, const FrfSet& frfs, const WriteOptions& options) {
   api::checked_extension(path, {".csv", ".h5", ".hdf5", ".mat", ".uff", ".unv"}, options);
-  report::write_frfs(path, frfs.data().record, api::frf_kind(options.kind.value_or(frfs.kind())), options.overwrite);
+  acquire::write_frfs(path, frfs.data().record, api::frf_kind(options.kind.value_or(frfs.kind())), options.overwrite);
 }
 
 void write(const std::string& path, const Analysis& analysis, const WriteOptions& options) {

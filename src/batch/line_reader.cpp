@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
+#include "core/io/read_at.hpp"
 
 namespace percuss::batch {
 namespace {
@@ -67,14 +68,9 @@ bool LineReader::next() {
 
 std::string bytes_at(int descriptor, std::uint64_t offset, std::size_t count, const std::string& path) {
   std::string out(count, '\0');
-  std::size_t done = 0;
-  while (done < count) {
-    const ssize_t got = ::pread(descriptor, out.data() + done, count - done, static_cast<off_t>(offset + done));
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw_system_error("reading failed", errno, path, "check the disk or network");
-    if (got == 0) throw InputError("the file changed while it was read", path, "run again without changing it");
-    done += static_cast<std::size_t>(got);
-  }
+  const ReadResult got = read_at(descriptor, offset, out.data(), count);
+  if (got.error != 0) throw_system_error("reading failed", got.error, path, "check the disk or network");
+  if (got.bytes < count) throw InputError("the file changed while it was read", path, "run again without changing it");
   return out;
 }
 

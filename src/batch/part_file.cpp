@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/io/read_at.hpp"
 #include "core/io/temporary_files.hpp"
 
 namespace percuss::batch {
@@ -56,15 +57,9 @@ PartFile::~PartFile() {
 
 std::string PartFile::first_bytes(std::size_t count) const {
   std::string bytes(count, '\0');
-  std::size_t done = 0;
-  while (done < count) {
-    const ssize_t got = ::pread(descriptor_, bytes.data() + done, count - done, static_cast<off_t>(done));
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw_system_error("reading failed", errno, path_, "check the disk or network");
-    if (got == 0) break;
-    done += static_cast<std::size_t>(got);
-  }
-  bytes.resize(done);
+  const ReadResult got = read_at(descriptor_, 0, bytes.data(), count);
+  if (got.error != 0) throw_system_error("reading failed", got.error, path_, "check the disk or network");
+  bytes.resize(got.bytes);
   return bytes;
 }
 

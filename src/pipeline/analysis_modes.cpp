@@ -48,10 +48,10 @@ const std::vector<identify::Mode>& Analysis::modes() const {
         if (!built) built = single_hits(set, from, comparable_hits(from));
         return *built;
       };
-      HiddenModes hidden;
+      HiddenModeSearch hidden;
       const auto search = [&] {
         hidden = may_hide_modes(set, from, all, found) ? add_hidden_modes(found, tones, set, hits, all.effort)
-                                                       : HiddenModes{};
+                                                       : HiddenModeSearch{};
       };
       search();
       add_scatter_between_hits(set, from, hits, options_.modes, search, found);

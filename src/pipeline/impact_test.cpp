@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
+#include "identify/model/truncation.hpp"
 #include "pipeline/hits/motion_before.hpp"
 #include "pipeline/impact_speed.hpp"
 #include "pipeline/impacts.hpp"
@@ -29,8 +30,7 @@ std::vector<metrics::ModalContribution> modal_contributions(const Analysis& anal
     for (const identify::Residue& residue : mode.residues) {
       if (static_cast<int>(residue.point) != point || residue.channel != channel) continue;
       // The residue contains the amplifier's high-pass, s/(s + ω_c) at the pole.
-      const double omega = kTwoPi * mode.pole.freq_Hz, zeta = mode.pole.damping_ratio;
-      const Complex s = omega * Complex(-zeta, std::sqrt(1 - zeta * zeta));
+      const Complex s = identify::terms_of(mode.pole).s;
       const Complex correction = (s + kTwoPi * corner_Hz) / s;
       contributions.push_back({.pole = mode.pole,
                                .residue_per_kg = residue.value * correction,

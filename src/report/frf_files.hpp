@@ -10,12 +10,7 @@ namespace percuss::report {
 /// (acquire/write_record.hpp).
 acquire::FrfRecord frf_record_of(const pipeline::Analysis& analysis);
 
-/// Writes the FRFs in the format of the path's extension, one of acquire::frf_extensions(). The file is written whole
-/// or not at all. errors  InputError: the file exists (without `force`) or cannot be written.
-void write_frfs(const std::string& path, const acquire::FrfRecord& record, acquire::FrfKind kind, bool force);
-
-void write_frf_csv(const std::string& path, const pipeline::Analysis& analysis, acquire::FrfKind kind, bool force);
+/// These FRFs, converted to `kind`, as the text of a CSV file.
 std::string frf_csv(const pipeline::Analysis& analysis, acquire::FrfKind kind);
-void write_frf_hdf5(const std::string& path, const pipeline::Analysis& analysis, acquire::FrfKind kind, bool force);
 
 }  // namespace percuss::report

@@ -69,9 +69,7 @@ void write_macs(acquire::hdf5::OutputHdf5& out, const pipeline::Survey& survey) 
 void write_cmif(acquire::hdf5::OutputHdf5& out, const pipeline::Survey& survey) {
   const Eigen::MatrixXd& values = survey.indicator();
   const acquire::LineRange band = survey.band();
-  std::vector<double> freq_Hz;
-  for (std::size_t k = 0; k < band.count; ++k) freq_Hz.push_back(band.freq_Hz(k));
-  write_numbers(out, "cmif_frequency_hz", freq_Hz);
+  write_numbers(out, "cmif_frequency_hz", acquire::frequencies_Hz(band));
   out.create_set("cmif", std::array{band.count, static_cast<std::size_t>(values.cols())});
   for (Eigen::Index k = 0; k < values.rows(); ++k) {
     const Eigen::VectorXd line = values.row(k);

@@ -179,13 +179,6 @@ double pulse_force_N(const Pulse& pulse, double t_s) {
   return pulse.peak_N * unit_pulse(pulse.kind, t_s / pulse.width_s);
 }
 
-double pulse_impulse_Ns(const Pulse& pulse) {
-  const double mean = pulse.kind == PulseKind::halfsine    ? 2 / kPi
-                      : pulse.kind == PulseKind::haversine ? 0.5
-                                                           : 4 / (3 * kPi);
-  return mean * pulse.peak_N * pulse.width_s;
-}
-
 PulseSupport pulse_support(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles) {
   constexpr double kMaxGrowthExponent = 5;  // a regular part never exceeds e^5 of the force's peak
   const Zone zone(SampledPulse(pulse, fs_Hz));

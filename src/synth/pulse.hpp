@@ -30,9 +30,8 @@ struct PulseBasis {
   std::vector<std::vector<double>> regular_N;
 };
 
-/// The force at t_s after the onset, and the integral of the force over all time.
+/// The force at t_s after the onset.
 double pulse_force_N(const Pulse& pulse, double t_s);
-double pulse_impulse_Ns(const Pulse& pulse);
 
 /// Bounds of the samples [first, last) of a record to which a pulse can contribute.
 struct PulseSupport {

@@ -9,6 +9,7 @@
 
 #include "acquire/open_measurement.hpp"
 #include "acquire/record/frf_record.hpp"
+#include "acquire/write_record.hpp"
 #include "core/units.hpp"
 #include "frf/windows.hpp"
 #include "identify/start/lscf.hpp"
@@ -131,8 +132,8 @@ TEST(PublishedDefects, StoredDataAreNotChangedByAConversion) {
   // A conversion in place would divide the stored values again, and the second receptance would differ.
   const test::ScratchFolder folder;
   const std::string path = folder.file("frf.csv");
-  report::write_frf_csv(path, analysis_of(test_of_one_second({{.freq_Hz = 200, .damping_ratio = 0.02}}, 1e-3)),
-                        acquire::FrfKind::accelerance, false);
+  const pipeline::Analysis first = analysis_of(test_of_one_second({{.freq_Hz = 200, .damping_ratio = 0.02}}, 1e-3));
+  acquire::write_frfs(path, report::frf_record_of(first), acquire::FrfKind::accelerance, false);
   const std::string stored = test::bytes_of(path);
   auto opened = acquire::open_measurement(path);
   ASSERT_TRUE(std::holds_alternative<acquire::FrfRecord>(opened));

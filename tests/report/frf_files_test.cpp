@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "acquire/write_record.hpp"
 #include "support/input_error.hpp"
 #include "support/modal_frfs.hpp"
 #include "support/percuss_process.hpp"
@@ -89,10 +90,11 @@ TEST(WriteFrfCsv, ReplacesAFileOnlyWhenForced) {
   const std::string path = folder.file("frf.csv");
   const pipeline::Analysis analysis = analysis_of(2);
   test::write_bytes(path, "mine");
-  EXPECT_THAT(test::input_error_of([&] { write_frf_csv(path, analysis, acquire::FrfKind::accelerance, false); }),
+  const acquire::FrfRecord record = frf_record_of(analysis);
+  EXPECT_THAT(test::input_error_of([&] { acquire::write_frfs(path, record, acquire::FrfKind::accelerance, false); }),
               HasSubstr("frf.csv"));
   EXPECT_EQ(test::bytes_of(path), "mine");
-  write_frf_csv(path, analysis, acquire::FrfKind::accelerance, true);
+  acquire::write_frfs(path, record, acquire::FrfKind::accelerance, true);
   EXPECT_EQ(test::bytes_of(path), frf_csv(analysis, acquire::FrfKind::accelerance));
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "acquire/formats/hdf5/hdf5_input.hpp"
+#include "acquire/write_record.hpp"
 #include "report/frf_files.hpp"
 #include "support/input_error.hpp"
 #include "support/modal_frfs.hpp"
@@ -54,7 +55,7 @@ std::vector<Complex> complex_numbers(const std::string& path, std::size_t count)
 
 TEST_F(FrfHdf5, ContainsLinesPointsAndFrfsToTheLastDigit) {
   const pipeline::Analysis analysis = analysis_of(3);
-  write_frf_hdf5(path_, analysis, acquire::FrfKind::accelerance, false);
+  acquire::write_frfs(path_, frf_record_of(analysis), acquire::FrfKind::accelerance, false);
   const auto freq_Hz = numbers("frequency_hz");
   ASSERT_GT(freq_Hz.size(), 100U);
   EXPECT_GE(freq_Hz.front(), 100 - 1e-6);
@@ -78,7 +79,7 @@ TEST_F(FrfHdf5, ContainsLinesPointsAndFrfsToTheLastDigit) {
 }
 
 TEST_F(FrfHdf5, StatesKindUnitAndEstimator) {
-  write_frf_hdf5(path_, analysis_of(3), acquire::FrfKind::receptance, false);
+  acquire::write_frfs(path_, frf_record_of(analysis_of(3)), acquire::FrfKind::receptance, false);
   const InputHdf5 file(path_);
   EXPECT_EQ(acquire::hdf5::text_attribute(file.id(), "kind", path_), "receptance");
   EXPECT_EQ(acquire::hdf5::text_attribute(file.id(), "unit", path_), "m/N");
@@ -87,7 +88,7 @@ TEST_F(FrfHdf5, StatesKindUnitAndEstimator) {
 }
 
 TEST_F(FrfHdf5, HasNoStdForSingleHits) {
-  write_frf_hdf5(path_, analysis_of(1), acquire::FrfKind::accelerance, false);
+  acquire::write_frfs(path_, frf_record_of(analysis_of(1)), acquire::FrfKind::accelerance, false);
   const InputHdf5 file(path_);
   EXPECT_TRUE(file.has("frf"));
   EXPECT_FALSE(file.has("frf_std"));
@@ -97,10 +98,11 @@ TEST_F(FrfHdf5, HasNoStdForSingleHits) {
 TEST_F(FrfHdf5, ReplacesAFileOnlyWhenForced) {
   test::write_bytes(path_, "mine");
   const pipeline::Analysis analysis = analysis_of(2);
-  EXPECT_THAT(test::input_error_of([&] { write_frf_hdf5(path_, analysis, acquire::FrfKind::accelerance, false); }),
+  EXPECT_THAT(test::input_error_of(
+                  [&] { acquire::write_frfs(path_, frf_record_of(analysis), acquire::FrfKind::accelerance, false); }),
               HasSubstr("frf.h5"));
   EXPECT_EQ(test::bytes_of(path_), "mine");
-  write_frf_hdf5(path_, analysis, acquire::FrfKind::accelerance, true);
+  acquire::write_frfs(path_, frf_record_of(analysis), acquire::FrfKind::accelerance, true);
   EXPECT_GT(numbers("frequency_hz").size(), 0U);
 }
 

@@ -148,7 +148,7 @@ void write_named_outputs(const AnalyzeFlags& flags, const AnalyzeResults& result
   const pipeline::Analysis& analysis = *results.tests.front().analysis;
   const std::string &frf = flags.frf_path, &modes = flags.modes_path;
   if (!frf.empty() && analysis.possible()) {
-    report::write_frfs(frf, report::frf_record_of(analysis), acquire::FrfKind::accelerance, flags.output.force);
+    acquire::write_frfs(frf, report::frf_record_of(analysis), acquire::FrfKind::accelerance, flags.output.force);
   } else if (!frf.empty()) {
     note_missing(flags, "FRFs", frf);
   }
@@ -184,7 +184,7 @@ void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& results) {
     } else if (is_uff(path)) {
       report::write_modes_uff(path, analysis, flags.output.force);
     } else {
-      report::write_frfs(path, report::frf_record_of(analysis), acquire::FrfKind::accelerance, flags.output.force);
+      acquire::write_frfs(path, report::frf_record_of(analysis), acquire::FrfKind::accelerance, flags.output.force);
     }
   }
   outputs.commit();

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "acquire/channels/frf_unit.hpp"
+#include "acquire/write_record.hpp"
 #include "cli/analysis_flags.hpp"
 #include "cli/open_files.hpp"
 #include "cli/output.hpp"
@@ -55,7 +56,7 @@ void write_frf_outputs(const OutputFlags& output, const pipeline::Analysis& anal
     } else if (is_page(path)) {
       write_page(path, report::analysis_page(analysis, {.sections = kShown}, provenance_now(output)), output);
     } else {
-      report::write_frfs(path, report::frf_record_of(analysis), kind, output.force);
+      acquire::write_frfs(path, report::frf_record_of(analysis), kind, output.force);
     }
   }
   outputs.commit();

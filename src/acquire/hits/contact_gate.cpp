@@ -23,7 +23,7 @@ constexpr double kMaxLevelChange = 0.1;
 constexpr double kMaxUndershoot = 0.25;
 
 // The change of the force from before the pulse to after it, as part of the peak.
-double level_after(std::span<const double> before, double after_N, double peak_N) {
+double level_change(std::span<const double> before, double after_N, double peak_N) {
   const double rest_N = before.size() < kMinRinging ? 0 : median(subsampled(before, kMedianSamples));
   return (after_N - rest_N) / peak_N;
 }
@@ -75,9 +75,9 @@ void grade_lasting_force(Hit& hit, std::span<const double> x, std::size_t peak, 
   const double middle = median(sizes);
   for (double& value : sizes) value = std::abs(value - middle);
   const double rings = median(std::move(sizes)) / std::abs(x[peak]);
-  const double level = level_after(x.first(hit.gate_first - hit.first), middle, x[peak]);
-  if (rings < kMaxRinging && level < kMaxLevelChange && level > -kMaxUndershoot) return;
-  const double ratio = std::max(rings, std::abs(level));
+  const double change = level_change(x.first(hit.gate_first - hit.first), middle, x[peak]);
+  if (rings < kMaxRinging && change < kMaxLevelChange && change > -kMaxUndershoot) return;
+  const double ratio = std::max(rings, std::abs(change));
   hit.findings.push_back(
       {.code = FindingCode::no_pulse,
        .severity = Severity::reject,

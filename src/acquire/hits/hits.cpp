@@ -72,15 +72,27 @@ Hit unmeasured_hit(std::size_t row, const SampleRange& range, const TriggerScan&
 Hit hit_without_pulse(std::size_t row, const SampleRange& part, const TriggerScan& trigger_scan,
                       const HitOptions& options) {
   Hit hit = unmeasured_hit(row, part, trigger_scan);
+  const double largest_N = std::abs(trigger_scan.largest_N);
+  const double ratio = trigger_scan.noise_N > 0 ? largest_N / trigger_scan.noise_N : 0;
+  if (largest_N >= trigger_scan.trigger_N && largest_N > kPulseToNoise * trigger_scan.noise_N) {
+    hit.findings.push_back(
+        {.code = FindingCode::no_pulse,
+         .severity = Severity::reject,
+         .value = ratio,
+         .message =
+             fmt::format("no hammer pulse: the force of {:.4g} N lasts longer than a hammer's contact; check the "
+                         "hammer's cable and channel",
+                         largest_N)});
+    return hit;
+  }
   const std::string remedy = options.trigger_N ? fmt::format("check the trigger level of {:.6g} N", *options.trigger_N)
                                                : "check the hammer's cable and channel";
-  const double ratio = trigger_scan.noise_N > 0 ? trigger_scan.largest_N / trigger_scan.noise_N : 0;
   hit.findings.push_back(
       {.code = FindingCode::no_pulse,
        .severity = Severity::reject,
        .value = ratio,
        .message = fmt::format("no hammer pulse, the force stays within {:.2g} N of rest, {:.1f} times its noise; {}",
-                              std::abs(trigger_scan.largest_N), ratio, remedy),
+                              largest_N, ratio, remedy),
        .options = options.trigger_N ? std::vector<OptionId>{"trigger"} : std::vector<OptionId>{}});
   return hit;
 }

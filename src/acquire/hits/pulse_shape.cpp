@@ -10,8 +10,7 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr double kPulseEdge = 0.05;   // of the peak: above the ringing of a brick-wall filter, below any pulse's flank
-constexpr double kPulseToNoise = 10;  // times the noise: the minimum peak of a pulse
+constexpr double kPulseEdge = 0.05;  // of the peak: above the ringing of a brick-wall filter, below any pulse's flank
 // In samples: twice the length of a delta-sigma converter's filter, whose ends are 1e-8 of its peak.
 constexpr std::size_t kRinging = 72;
 constexpr double kGateNoise = 4;          // standard deviations

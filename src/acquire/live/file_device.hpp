@@ -7,7 +7,8 @@
 namespace percuss::acquire {
 
 /// Replays a record: its force, where it has one, then its accelerations, in SI units. In real time, or as fast as the
-/// reader. Rows follow one another after a pause of one second, as nothing says how much time passed between them.
+/// reader. Rows follow one another after a pause of one second, as nothing says how much time passed between them. For
+/// tests.
 /// errors  InputError: the record has no samples
 std::unique_ptr<Device> replay_device(Record record, const DeviceOptions& options = {});
 

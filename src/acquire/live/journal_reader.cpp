@@ -4,12 +4,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <limits>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
+#include "core/io/read_at.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -50,15 +50,9 @@ void JournalReader::damaged(const char* problem) const {
 // Fewer bytes where the file ends before.
 std::string JournalReader::bytes_at(std::uint64_t offset, std::size_t bytes) const {
   std::string out(bytes, '\0');
-  std::size_t done = 0;
-  while (done < bytes) {
-    const ssize_t got = ::pread(descriptor_, out.data() + done, bytes - done, static_cast<off_t>(offset + done));
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw_system_error("cannot read the journal", errno, path_, "check the disk");
-    if (got == 0) break;
-    done += static_cast<std::size_t>(got);
-  }
-  out.resize(done);
+  const ReadResult got = read_at(descriptor_, offset, out.data(), bytes);
+  if (got.error != 0) throw_system_error("cannot read the journal", got.error, path_, "check the disk");
+  out.resize(got.bytes);
   return out;
 }
 

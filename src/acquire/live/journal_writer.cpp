@@ -12,6 +12,7 @@
 #include "acquire/live/journal_reader.hpp"
 #include "core/error.hpp"
 #include "core/io/pending_file.hpp"
+#include "core/io/read_at.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -126,12 +127,7 @@ int JournalWriter::sync() const { return ::fdatasync(descriptor_) == 0 ? 0 : err
 
 std::string JournalWriter::block_at(std::uint64_t offset, std::size_t bytes) const {
   std::string out(bytes, '\0');
-  for (std::size_t done = 0; done < bytes;) {
-    const ssize_t got = ::pread(descriptor_, out.data() + done, bytes - done, static_cast<off_t>(offset + done));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return {};
-    done += static_cast<std::size_t>(got);
-  }
+  if (read_at(descriptor_, offset, out.data(), bytes).bytes < bytes) return {};
   return out;
 }
 

@@ -51,7 +51,7 @@ std::string advice_without_devices(const std::vector<ListedDevice>& listed) {
     return std::any_of(listed.begin(), listed.end(), [&](const auto& one) { return one.problem == problem; });
   };
   if (has("no permission")) return "no permission to record; add the user to the group audio, and log in again";
-  if (has("busy")) return "every recording device is busy; end the program that records from it";
+  if (has("busy")) return "the recording devices are busy or cannot be opened; end the program that records from them";
   return "no recording device was found; plug one in, or record from sim:, file: or stdin:";
 }
 

@@ -22,7 +22,7 @@ struct StoreOptions {
   double block_s = 0.1;  // of samples in a block of the journal
 };
 
-/// How a capture stands.
+/// How a capture stands; for tests.
 struct CaptureState {
   std::uint64_t journal_bytes = 0;   // length of the journal
   std::uint64_t unread_frames = 0;   // captured, and not yet read by the analysis

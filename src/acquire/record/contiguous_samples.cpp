@@ -6,12 +6,12 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <cmath>
 #include <memory>
 
 #include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
+#include "core/io/read_at.hpp"
 #include "core/parallel/per_thread.hpp"
 
 namespace percuss::acquire {
@@ -32,17 +32,11 @@ class OpenFile {
   bool good() const { return descriptor_ >= 0; }
   // Throws when the file was truncated after it was opened. A library could read the missing part as zeros.
   void read(void* to, std::size_t bytes, std::uint64_t offset) const {
-    auto* at = static_cast<char*>(to);
-    while (bytes > 0) {
-      const auto got = ::pread(descriptor_, at, bytes, static_cast<off_t>(offset));
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0 && is_machine_fault(errno)) throw_system_error("reading failed", errno, path_, "check the disk");
-      if (got <= 0)
-        throw InputError("the file changed during reading", path_, "copy the file again, then read it again");
-      at += got;
-      offset += static_cast<std::uint64_t>(got);
-      bytes -= static_cast<std::size_t>(got);
-    }
+    const ReadResult got = read_at(descriptor_, offset, to, bytes);
+    if (got.error != 0 && is_machine_fault(got.error))
+      throw_system_error("reading failed", got.error, path_, "check the disk");
+    if (got.bytes < bytes)
+      throw InputError("the file changed during reading", path_, "copy the file again, then read it again");
   }
 
  private:

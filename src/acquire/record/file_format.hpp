@@ -48,13 +48,14 @@ struct FileFormat {
   void (*write_record)(const std::string& path, const Record& record, bool force) = nullptr;
   void (*write_frfs)(const std::string& path, const FrfRecord& record, FrfKind kind, bool force) = nullptr;
   /// The parts of a record that a file of this name would lose, one line each. losses_of() adds the driving places and
-  /// the directions of motion, which no format keeps; the faces, where keeps_faces is not set; and the marks and
-  /// faults, where keeps_marks is not set.
+  /// the directions of motion, which no format keeps; the faces, where keeps_faces is not set; the marks and faults,
+  /// where keeps_marks is not set; and the date, where keeps_date is not set.
   std::vector<std::string> (*record_losses)(const std::string& path, const Record& record) = nullptr;
   /// The same for FRFs. losses_of() adds the names of channels, the driving places and the directions of motion, which
   /// no format keeps, and the geometry, where keeps_frf_geometry is not set.
   std::vector<std::string> (*frf_losses)(const FrfRecord& record) = nullptr;
   bool keeps_marks = false;         // RowInfo::mark and Record::faults
+  bool keeps_date = false;          // of a record: common_date_of() its files
   bool keeps_faces = false;         // Record::trace_faces, except those that record_losses names
   bool keeps_frf_geometry = false;  // files of FRFs keep points, lines and faces, except those that frf_losses names
 };

@@ -157,7 +157,7 @@ std::string rounding_note(const Spacing& spacing, double to_Hz, double written_H
 struct Offsets {
   double largest = 0;  // in spacings
   bool exact = true, finite = true;
-  std::optional<std::size_t> farthest;  // the first one more than kMaxLineOffset off
+  std::optional<std::size_t> first_off;  // the first one more than kMaxLineOffset off
 };
 
 Offsets offsets_of(const std::vector<double>& numbers, double to_Hz, double first, double df_Hz) {
@@ -168,7 +168,7 @@ Offsets offsets_of(const std::vector<double>& numbers, double to_Hz, double firs
     out.exact = out.exact && off_Hz <= kExact * expected_Hz;
     out.finite = out.finite && std::isfinite(off_Hz);
     out.largest = std::max(out.largest, off_Hz / df_Hz);
-    if (!out.farthest && !(off_Hz <= kMaxLineOffset * df_Hz)) out.farthest = k;
+    if (!out.first_off && !(off_Hz <= kMaxLineOffset * df_Hz)) out.first_off = k;
   }
   return out;
 }
@@ -198,9 +198,9 @@ FrequencyLines frequency_lines(const std::vector<double>& numbers, double to_Hz,
   // Multiples and inverses of other numbers may be infinite, which have no digits.
   const bool usable = offsets.finite && rough_Hz > 1e-100 && back_Hz < 1e100;
   const auto rounded = usable ? rounded_spacing(numbers, to_Hz, first, rough_Hz / to_Hz) : std::nullopt;
-  if (!rounded && offsets.farthest) {
+  if (!rounded && offsets.first_off) {
     throw InputError(fmt::format("the frequency {:.8g} Hz is not a multiple of the spacing of {:.6g} Hz",
-                                 numbers[*offsets.farthest] * to_Hz, rough_Hz),
+                                 numbers[*offsets.first_off] * to_Hz, rough_Hz),
                      where, remedy);
   }
   FrequencyLines out{.lines = line_range(first, n, written_Hz), .spacing = {}, .note = {}};

@@ -4,6 +4,13 @@
 
 namespace percuss::acquire {
 
+Frf lines_within(const Frf& all, std::size_t first, std::size_t count) {
+  return {.value = lines_within(all.value, first, count),
+          .std = lines_within(all.std, first, count),
+          .coherence = lines_within(all.coherence, first, count),
+          .averages = all.averages};
+}
+
 const char* name_of(FrfKind kind) {
   switch (kind) {
     case FrfKind::accelerance:

@@ -18,6 +18,17 @@ struct Frf {
   std::size_t averages = 0;
 };
 
+/// `count` values of an array with a value per line, from the one at `first` on; none of an empty array.
+/// Precondition: first + count ≤ size, or the array is empty.
+template <class Value>
+std::vector<Value> lines_within(const std::vector<Value>& all, std::size_t first, std::size_t count) {
+  if (all.empty()) return {};
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
+/// These lines of an FRF. Precondition: as above.
+Frf lines_within(const Frf& all, std::size_t first, std::size_t count);
+
 enum class FrfKind { accelerance, mobility, receptance };
 
 const char* name_of(FrfKind kind);

@@ -29,6 +29,9 @@ struct LineRange {
   }
 };
 
+/// [count] the frequency of each line.
+std::vector<double> frequencies_Hz(const LineRange& lines);
+
 /// The lines of frequency_lines() for frequencies in Hz.
 /// errors  As frequency_lines().
 LineRange lines_from_frequencies(const std::vector<double>& freq_Hz, const std::string& where);

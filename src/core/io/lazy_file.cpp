@@ -4,10 +4,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
+#include "core/io/read_at.hpp"
 
 namespace percuss {
 inline namespace core {
@@ -36,15 +36,10 @@ void LazyFile::load(std::size_t first, std::size_t end) {
 }
 
 void LazyFile::copy(std::size_t first, std::size_t count, char* to) const {
-  while (count > 0) {
-    const auto got = ::pread(descriptor_, to, count, static_cast<off_t>(first));
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw_system_error("reading failed", errno, path_, "check the disk");
-    if (got == 0) throw InputError("the file became shorter while it was read", path_, "read it when it is complete");
-    to += got;
-    first += static_cast<std::size_t>(got);
-    count -= static_cast<std::size_t>(got);
-  }
+  const ReadResult got = read_at(descriptor_, first, to, count);
+  if (got.error != 0) throw_system_error("reading failed", got.error, path_, "check the disk");
+  if (got.bytes < count)
+    throw InputError("the file became shorter while it was read", path_, "read it when it is complete");
 }
 
 }  // namespace core

@@ -45,8 +45,8 @@ Ratio ratio_of(const Mode& mode, const SensorPair& sensors) {
   Ratio ratio;
   if (!(first_power > 0)) return ratio;
   ratio.value = cross / first_power;
-  const double mean_square = std::norm(ratio.value);
-  ratio.std = std::sqrt((second_noise + mean_square * first_noise) / first_power);
+  const double ratio_power = std::norm(ratio.value);
+  ratio.std = std::sqrt((second_noise + ratio_power * first_noise) / first_power);
   ratio.known = true;
   // The angle χ = atan(ratio) stays finite where the first sensor is at a node.
   const double size = std::sqrt(first_power + second_power);

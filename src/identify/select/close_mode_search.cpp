@@ -62,11 +62,11 @@ std::vector<Pole> try_close_mode(const WindowedFit& all, const FitGroup& group, 
   const std::vector<Index> misfitting = misfitting_channels(all, group);
   if (misfitting.empty()) return now;
   const auto data = all.data_without_other_modes(group);
-  const VectorXd weight = all.residual_noise(group);
+  const VectorXd noise_scale = all.residual_noise(group);
   std::vector<LocalFit> fits(now.size() + 1);  // the present poles, and each mode split in turn
   parallel_for_cost(fits.size(), kFlopsPerTrialLine * channels * group.count, [&](std::size_t i) {
-    fits[i] = i == 0 ? all.fit(group, data, now, weight)
-                     : all.fit(group, data, split(now, i - 1), weight, WindowedFit::kTrialTolerance);
+    fits[i] = i == 0 ? all.fit(group, data, now, noise_scale)
+                     : all.fit(group, data, split(now, i - 1), noise_scale, WindowedFit::kTrialTolerance);
   });
   const LocalFit one = fits.front();
   FitGroup best = group;
@@ -82,7 +82,8 @@ std::vector<Pole> try_close_mode(const WindowedFit& all, const FitGroup& group, 
   if (residual_energy_ratio(misfitting, all.noise(group), one, best.fit) >= kSplitGain ||
       gained <= kSplitTest * WindowNoise(all.set()).max_factor() * left)
     return now;
-  return explained_by_freq_scatter(all.set(), {.data = data, .weight = weight}, group, best) ? now : best.fit.poles;
+  return explained_by_freq_scatter(all.set(), {.data = data, .noise_scale = noise_scale}, group, best) ? now
+                                                                                                       : best.fit.poles;
 }
 
 }  // namespace

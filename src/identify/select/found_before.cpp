@@ -34,7 +34,7 @@ std::vector<VectorXcd> residual_before(const FrfDataset& set, const std::vector<
 }
 
 std::size_t unknowns_of(const FrfDataset& set, const std::vector<FittedMode>& modes) {
-  std::size_t unknowns = modes.size() * (2 + 2 * set.channels.size());
+  std::size_t unknowns = modes.size() * unknowns_per_mode(set);
   for (const FittedMode& mode : modes) {
     if (mode.mode.freq_scatter_Hz > 0) unknowns += 2 * (set.points.size() - 1);
   }

@@ -60,13 +60,13 @@ PointFits fit_each_point(const FrfDataset& set, const WindowData& window, const 
   for (const std::size_t p : strongest_first(set, window.data)) {
     const PointSet one = set_of_point(set, p);
     std::vector<VectorXcd> its_data;
-    VectorXd its_weight(static_cast<Index>(one.channels.size()));
+    VectorXd its_noise_scale(static_cast<Index>(one.channels.size()));
     for (std::size_t i = 0; i < one.channels.size(); ++i) {
       its_data.push_back(window.data[one.channels[i]]);
-      its_weight(static_cast<Index>(i)) = window.weight(static_cast<Index>(one.channels[i]));
+      its_noise_scale(static_cast<Index>(i)) = window.noise_scale(static_cast<Index>(one.channels[i]));
     }
     out.fits[p] =
-        fit_locally(one.set, its_data, its_weight, group.fit.poles, {.first = group.first, .count = group.count});
+        fit_locally(one.set, its_data, its_noise_scale, group.fit.poles, {.first = group.first, .count = group.count});
     out.cost += out.fits[p].cost;
     out.degrees += out.fits[p].degrees;
     if (out.cost > max_cost) return {};
@@ -159,9 +159,9 @@ bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, 
 std::optional<Pole> merge_if_scattered(const WindowedFit& all, const FitGroup& group) {
   const auto& poles = group.fit.poles;
   if (poles.size() < 2 || all.set().points.size() < kMinPoints) return std::nullopt;
-  const WindowData window{.data = all.data_without_other_modes(group), .weight = all.residual_noise(group)};
+  const WindowData window{.data = all.data_without_other_modes(group), .noise_scale = all.residual_noise(group)};
   FitGroup several = group;
-  several.fit = all.fit(group, window.data, poles, window.weight);
+  several.fit = all.fit(group, window.data, poles, window.noise_scale);
   const std::size_t main = highest_peak(several.fit);
   for (const Pole& pole : several.fit.poles) {
     const double apart = std::abs(pole.freq_Hz - several.fit.poles[main].freq_Hz);
@@ -194,8 +194,8 @@ std::vector<ScatteredMode> scattered_modes(const WindowedFit& all, const FitGrou
   const std::size_t count = all.set().points.size();
   if (count < kMinPoints) return {};
   if ((group.fit.noise.array() / all.noise(group).array()).square().mean() < kMinScatterEnergy) return {};
-  const WindowData window{.data = all.data_without_other_modes(group), .weight = all.residual_noise(group)};
-  const LocalFit common = all.fit(group, window.data, group.fit.poles, window.weight);
+  const WindowData window{.data = all.data_without_other_modes(group), .noise_scale = all.residual_noise(group)};
+  const LocalFit common = all.fit(group, window.data, group.fit.poles, window.noise_scale);
   const PointFits points = fit_each_point(all.set(), window, group, common.cost);
   if (points.degrees == 0 || common.degrees <= points.degrees) return {};
   const double gained = (common.cost - points.cost) / static_cast<double>(common.degrees - points.degrees);

@@ -11,7 +11,7 @@ namespace percuss::identify {
 /// scale of each FRF.
 struct WindowData {
   std::vector<Eigen::VectorXcd> data;  // [channels][group.count]
-  Eigen::VectorXd weight;              // [channels] noise_scale of fit_locally()
+  Eigen::VectorXd noise_scale;         // [channels] as in fit_locally()
 };
 
 /// Largest cost of separate poles at each point, over the cost of a further common mode, where a frequency scatters. It

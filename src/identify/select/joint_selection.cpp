@@ -129,7 +129,7 @@ bool are_merged(const FrfDataset& set, const Pole& a, const Pole& b) {
 ModeSignificance significance_of(const FrfDataset& set, const JointFit& fit, std::size_t mode, Misfit misfit) {
   const Pole& pole = fit.poles[mode];
   const JointWindow window = joint_window(set, pole);
-  const double peak = std::max(2 * pole.damping_ratio, set.lines.df_Hz() / pole.freq_Hz);
+  const double width = std::max(2 * pole.damping_ratio, set.lines.df_Hz() / pole.freq_Hz);
   ModeSignificance best;
   for (std::size_t o = 0; o < set.channels.size(); ++o) {
     const VectorXcd left = fit.residual[o].segment(window.first, window.count);
@@ -138,7 +138,7 @@ ModeSignificance significance_of(const FrfDataset& set, const JointFit& fit, std
     const double rms = left.norm() / std::sqrt(static_cast<double>(window.count));
     const double part = misfit == Misfit::counted ? noise_part(left) : 1;
     if (std > 0) best.significance = std::max(best.significance, size / std * std::sqrt(part));
-    if (rms > 0) best.peak_to_residual = std::max(best.peak_to_residual, size / peak / rms);
+    if (rms > 0) best.peak_to_residual = std::max(best.peak_to_residual, size / width / rms);
   }
   return best;
 }

@@ -17,7 +17,7 @@ JointWindow joint_window(const FrfDataset& set, const Pole& pole);
 /// standard deviations.
 inline constexpr double kJointSignificance = 6;
 
-/// True for two poles at one place, which a joint fit has merged: their residues cancel.
+/// True for two poles at one place, which a fit has merged: their residues cancel.
 bool are_merged(const FrfDataset& set, const Pole& a, const Pole& b);
 
 /// Misfit counts against a mode only once no mode is missing: the residual of a missing mode looks like misfit.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "identify/noise/force_noise.hpp"
+#include "identify/select/joint_selection.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -29,7 +30,6 @@ constexpr double kMinSplit = 0.5;           // bandwidths between two modes afte
 constexpr double kMinResolvedSplit = 0.05;  // … where their residual is only noise
 constexpr double kNoiseAlone =
     1.5;  // ratio of residual to noise: below it, the residual is only noise, without misfit or frequency scatter
-constexpr double kCoincide = 0.05;             // bandwidths between two poles that a fit has merged
 constexpr double kUndecayedAmplitude = 0.5;    // amplitude left at the record's end: mains hum keeps all of it
 constexpr double kMinDampingSignificance = 3;  // standard deviations of the damping of such a mode; hum has none
 constexpr double kPreciseDamping = 0.05;       // relative standard deviation of a precise damping ratio …
@@ -198,7 +198,7 @@ bool poles_coincide(const WindowedFit& all, const Pole& a, const Pole& b) {
   const FrfDataset& set = all.set();
   const bool known = std::any_of(set.points.begin(), set.points.end(), [](const auto& p) { return !p.ff.empty(); });
   const double least_Hz = known ? 0 : set.lines.df_Hz();
-  return std::abs(a.freq_Hz - b.freq_Hz) < std::max(least_Hz, kCoincide * std::min(all.width_Hz(a), all.width_Hz(b)));
+  return std::abs(a.freq_Hz - b.freq_Hz) < least_Hz || are_merged(set, a, b);
 }
 
 bool accept_all_modes(const WindowedFit& all, const FitGroup& group, const AcceptanceContext& context) {

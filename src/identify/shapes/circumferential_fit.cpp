@@ -23,9 +23,7 @@ struct Point {
 
 // The real shape at the points with a known place, ascending along the axis.
 std::vector<Point> placed(const ModeShape& shape, const TubeGeometry& geometry) {
-  Complex squares;
-  for (const ShapePlace& place : shape.places) squares += place.value * place.value;
-  const Complex turn = std::polar(1.0, -0.5 * std::arg(squares));
+  const Complex turn = turn_of(shape.places);
   std::vector<Point> points;
   const ShapePlace* last = nullptr;
   for (const ShapePlace& place : shape.places) {

@@ -105,13 +105,6 @@ double collinearity(const std::vector<ShapePlace>& places) {
   return sum > 0 ? ((xx - yy) * (xx - yy) + 4 * xy * xy) / (sum * sum) : 0;
 }
 
-// The phase factor that makes Σφ² real and positive, and so the shape as real as possible.
-Complex turn_of(const std::vector<ShapePlace>& places) {
-  Complex squares;
-  for (const ShapePlace& place : places) squares += place.value * place.value;
-  return std::polar(1.0, -0.5 * std::arg(squares));
-}
-
 const ShapePlace* largest_of(const std::vector<ShapePlace>& places) {
   const auto most = std::max_element(places.begin(), places.end(), [](const ShapePlace& a, const ShapePlace& b) {
     return std::norm(a.value) < std::norm(b.value);
@@ -186,6 +179,12 @@ const Residue* find_residue(const Mode& mode, std::size_t point, std::size_t cha
   const auto found = std::find_if(mode.residues.begin(), mode.residues.end(),
                                   [&](const Residue& r) { return r.point == point && r.channel == channel; });
   return found == mode.residues.end() ? nullptr : &*found;
+}
+
+Complex turn_of(const std::vector<ShapePlace>& places) {
+  Complex squares;
+  for (const ShapePlace& place : places) squares += place.value * place.value;
+  return std::polar(1.0, -0.5 * std::arg(squares));
 }
 
 double total_std(const Residue& r) { return std::hypot(r.std, r.relative_std * std::abs(r.value)); }

@@ -52,6 +52,9 @@ const Residue* find_residue(const Mode& mode, std::size_t point, std::size_t cha
 /// Standard deviation of a residue's real and of its imaginary part, including the force's gain error.
 double total_std(const Residue& residue);
 
+/// The phase factor that makes Σφ² real and positive, and so the shape as real as possible.
+Complex turn_of(const std::vector<ShapePlace>& places);
+
 /// The mode shape φ from the residues A_pc = φ_p φ_c.
 ///   roving hammer  φ_p and φ_c by weighted rank-one least squares over all points and channels;
 ///   roving sensor  every (point, channel) is a separate place, φ_pc ∝ A_pc.

@@ -39,10 +39,10 @@ struct PolynomialFit {
   double scale2() const {
     return degrees_of_freedom == 0 ? 1 : std::max(1.0, chi2 / static_cast<double>(degrees_of_freedom));
   }
-  double root_std(double scale) const {
+  double root_std(double scale2) const {
     VectorXd power(coefficient.size());
     for (Index i = 0; i < power.size(); ++i) power(i) = std::pow(*root_u, static_cast<double>(i));
-    return std::sqrt(power.dot(covariance * power) * scale) / std::abs(slope(*root_u));
+    return std::sqrt(power.dot(covariance * power) * scale2) / std::abs(slope(*root_u));
   }
 };
 

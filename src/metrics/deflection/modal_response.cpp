@@ -4,19 +4,14 @@
 #include <cmath>
 #include <functional>
 
-#include "core/units.hpp"
+#include "identify/model/truncation.hpp"
 #include "metrics/deflection/laplace_transform.hpp"
 
 namespace percuss::metrics {
 namespace {
 
-Complex pole_of(const identify::Pole& pole) {
-  const double omega = kTwoPi * pole.freq_Hz, zeta = pole.damping_ratio;
-  return omega * Complex(-zeta, std::sqrt(1 - zeta * zeta));
-}
-
 Complex receptance(const identify::Pole& pole, Complex residue, Complex s) {
-  const Complex p = pole_of(pole), a = residue / Complex(0, 2 * p.imag());
+  const Complex p = identify::terms_of(pole).s, a = residue / Complex(0, 2 * p.imag());
   return a / (s - p) + std::conj(a) / (s - std::conj(p));  // (1)
 }
 

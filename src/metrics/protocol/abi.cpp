@@ -114,8 +114,7 @@ class AbiEvaluation {
   void end_beyond_max_depth() {
     if (next_depth_in(run_, rules_) <= rules_.max_depth_in) return;
     end(AbiVerdict::undecided,
-        fmt::format("the rollers are at their largest depth, but the barrel has not softened by {:g} %",
-                    100 * rules_.min_reduction));
+        fmt::format("the barrel would have to be rolled deeper than {:g} in, the largest depth", rules_.max_depth_in));
   }
 
   void rolled(const AbiRoll& roll) {

@@ -51,10 +51,12 @@ std::vector<warnings::Warning> trampoline_warnings(const Trampoline& model, cons
         fit.free() == 2 ? "hold the exponent that is known" : "measure at more speeds"));
   }
   if (fitted->range.at_edge && !peak.at_edge) {
-    out.push_back(with_remedy({"optimum_range_at_edge",
-                               "for some of these exponents, the largest COR lies at an end of the hoop frequencies",
-                               {"hoop"}},
-                              "sweep further"));
+    out.push_back(
+        with_remedy({"optimum_range_at_edge",
+                     "for some of the exponents that fit the measured CCOR, the largest COR lies at an end of "
+                     "the hoop frequencies",
+                     {"hoop"}},
+                    "sweep further"));
   }
   const bool none_within = std::none_of(fitted->family.begin(), fitted->family.end(),
                                         [](const FamilyPair& pair) { return pair.within_std.has_value(); });

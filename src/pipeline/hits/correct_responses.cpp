@@ -6,18 +6,18 @@
 #include "core/parallel/parallel.hpp"
 #include "frf/spectra.hpp"
 #include "pipeline/findings/sample_prediction.hpp"
+#include "pipeline/hits/motion_before.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kShock_s = 0.005;          // after the blow: the largest motion comes within this time
-constexpr std::size_t kMaxSuspects = 6;     // samples of one response that are looked at
-constexpr double kMaterialFault = 1e-9;     // of the largest response: smaller faults are rounding errors
-constexpr std::size_t kFilterRinging = 72;  // samples before a pulse in which the recorder's filter rings
-constexpr std::size_t kAfterPulse = 16;     // samples: the force still acts
-constexpr std::size_t kSearchStep = 80;     // samples: a diagnosis reaches 44 to either side
-constexpr double kEarlyPart = 0.25;         // of the decay: it is searched everywhere
-constexpr std::size_t kSameFault = 48;      // samples: nearer suspects are one fault
+constexpr double kShock_s = 0.005;       // after the blow: the largest motion comes within this time
+constexpr std::size_t kMaxSuspects = 6;  // samples of one response that are looked at
+constexpr double kMaterialFault = 1e-9;  // of the largest response: smaller faults are rounding errors
+constexpr std::size_t kAfterPulse = 16;  // samples: the force still acts
+constexpr std::size_t kSearchStep = 80;  // samples: a diagnosis reaches 44 to either side
+constexpr double kEarlyPart = 0.25;      // of the decay: it is searched everywhere
+constexpr std::size_t kSameFault = 48;   // samples: nearer suspects are one fault
 
 using Samples = std::vector<std::vector<double>>;  // [channels]
 
@@ -131,13 +131,12 @@ std::vector<ToneSignal> signals_of(const HitResponses& responses, const acquire:
                                    const Samples& samples) {
   std::vector<ToneSignal> signals;
   for (std::size_t c = 0; c < samples.size(); ++c) {
-    const Extremes& extremes = responses.of[h][c].grade.extremes;
     signals.push_back({.x = samples[c],
                        .hit = h,
                        .pulse_N = hit.gated_N,
                        .pulse_first = hit.gate_first - hit.first,
                        .quiet = hit.gate_first > hit.first ? hit.gate_first - hit.first : 0,
-                       .largest = std::max(extremes.high, -extremes.low)});
+                       .largest = responses.of[h][c].grade.extremes.max_distance_from(0)});
   }
   return signals;
 }
@@ -184,7 +183,7 @@ void examine_response(HitResponse& response, const acquire::Hit& hit, std::span<
   if (hit.gated_N.empty() || first >= accel_mps2.size()) return;
   const std::size_t quiet = hit.gate_first > hit.first ? hit.gate_first - hit.first : 0;
   // The recorder's filter rings before the pulse. A response may show this ringing even if the force does not.
-  const std::size_t silent = quiet > 2 * kFilterRinging ? quiet - kFilterRinging : quiet / 2;
+  const std::size_t silent = quiet > 2 * kFilterBeforePulse ? quiet - kFilterBeforePulse : quiet / 2;
   response.noise = {.after = difference_profile(accel_mps2, first),
                     .before = difference_rms(accel_mps2.first(std::min(silent, accel_mps2.size())))};
   response.rest = rest_levels(accel_mps2, quiet, first);

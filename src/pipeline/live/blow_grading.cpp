@@ -82,8 +82,7 @@ void note_implausible(const BlowSamples& samples, const BlowContext& context, Bl
     return;
   }
   for (std::size_t c = 0; c + 1 < samples.size(); ++c) {
-    const Extremes all = extremes_of(samples[c + 1]);
-    const double largest_mps2 = std::max(std::abs(all.low), std::abs(all.high));
+    const double largest_mps2 = extremes_of(samples[c + 1]).max_distance_from(0);
     if (largest_mps2 < kMaxAccel_mps2) continue;
     grade.implausible = fmt::format("{:.3g} m/s² on {} is much: check its sensitivity and unit", largest_mps2,
                                     name_of_channel(context.channels, c));

@@ -80,9 +80,8 @@ void Guide::judge(const Window& window) {
 
 void Guide::note_response(const BlowSamples& samples, const BlowGrade& grade) {
   if (!grade.accepted()) return;
-  const Extremes all = extremes_of(samples[1]);
   const double to_mps2 = std::abs(channels_.accel_to_mps2.front());
-  response_peaks_.push_back(std::max(std::abs(all.low), std::abs(all.high)) / to_mps2);
+  response_peaks_.push_back(extremes_of(samples[1]).max_distance_from(0) / to_mps2);
   if (response_peaks_.size() > kResponses) response_peaks_.erase(response_peaks_.begin());
 }
 
@@ -200,9 +199,8 @@ BlowCircumstances Guide::circumstances(const Window& window) const {
   std::vector<double> x(*length_);
   const auto largest = [&](std::size_t channel) {
     history_.read(channel, window.first, x);
-    const Extremes all = extremes_of(x);
     const double full_scale = full_scales_.at(channel);
-    at.range.push_back(full_scale > 0 ? std::max(std::abs(all.low), std::abs(all.high)) / full_scale : 0);
+    at.range.push_back(full_scale > 0 ? extremes_of(x).max_distance_from(0) / full_scale : 0);
   };
   largest(channels_.force);
   for (const std::size_t channel : channels_.accel) largest(channel);

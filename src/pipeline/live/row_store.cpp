@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/io/read_at.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -103,17 +104,10 @@ bool RowStore::read_waiting(std::size_t row, std::size_t first, std::span<double
 
 void RowStore::read(std::size_t row, std::size_t signal, std::size_t first, std::span<double> out) const {
   if (read_waiting(row, signal * samples_ + first, out)) return;
-  auto at = static_cast<off_t>(((row * signals_ + signal) * samples_ + first) * sizeof(double));
-  char* to = reinterpret_cast<char*>(out.data());
-  std::size_t left = out.size_bytes();
-  while (left > 0) {
-    const auto got = ::pread(file_, to, left, at);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) throw_system_error("cannot read a row again", got < 0 ? errno : EIO, folder_, "check the disk");
-    to += got;
-    at += got;
-    left -= static_cast<std::size_t>(got);
-  }
+  const std::uint64_t at = ((row * signals_ + signal) * samples_ + first) * sizeof(double);
+  const ReadResult got = read_at(file_, at, out.data(), out.size_bytes());
+  if (got.bytes < out.size_bytes())
+    throw_system_error("cannot read a row again", got.error != 0 ? got.error : EIO, folder_, "check the disk");
 }
 
 void read_from(std::shared_ptr<const RowStore> store, std::vector<std::size_t> rows, acquire::Record& record) {

@@ -29,13 +29,6 @@ acquire::Record record_without_rows(const acquire::FrfRecord& frfs) {
   return record;
 }
 
-template <class Value>
-std::vector<Value> slice(const std::vector<Value>& all, std::size_t first, std::size_t count) {
-  if (all.empty()) return {};
-  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
-  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
-}
-
 }  // namespace
 
 FrfSource::FrfSource(acquire::FrfRecord frfs) : frfs_(std::move(frfs)), record_(record_without_rows(frfs_)) {}
@@ -83,13 +76,9 @@ acquire::PointFrf FrfSource::frf(const FrfGroup& group, const TestSpectra& spect
                                  frf::Estimator /*estimator*/) const {
   const acquire::PointFrf& given = frfs_.frfs[group.index];
   const std::size_t first = spectra.lines.first - frfs_.lines.first;
-  const std::size_t count = spectra.lines.count;
   return {.point = group.point,
           .channel = group.channel,
-          .frf = {.value = slice(given.frf.value, first, count),
-                  .std = slice(given.frf.std, first, count),
-                  .coherence = slice(given.frf.coherence, first, count),
-                  .averages = given.frf.averages}};
+          .frf = acquire::lines_within(given.frf, first, spectra.lines.count)};
 }
 
 identify::FrfDataset FrfSource::dataset(const TestSpectra& spectra, const std::vector<std::size_t>& /*hits*/,
@@ -105,7 +94,7 @@ identify::FrfDataset FrfSource::dataset(const TestSpectra& spectra, const std::v
     point = frf.point;
     set.channels.push_back({.point = set.points.size() - 1,
                             .channel = frf.channel,
-                            .frf = slice(frf.frf.value, lines.first - frfs_.lines.first, lines.count)});
+                            .frf = acquire::lines_within(frf.frf.value, lines.first - frfs_.lines.first, lines.count)});
   }
   return set;
 }

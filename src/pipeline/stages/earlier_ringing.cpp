@@ -155,7 +155,7 @@ class RingingSearch {
         const double amplitude = std::abs(ringing.amplitude(row, c));
         ringing.std(row, c) = std::hypot(std::abs(growth) * std::sqrt(fit.variance(at, c)), amplitude * pole_std);
         const auto& extremes = spectra_.responses.of[ringing.hit][static_cast<std::size_t>(c)].grade.extremes;
-        ringing.share = std::max(ringing.share, amplitude / std::max(extremes.high, -extremes.low));
+        ringing.share = std::max(ringing.share, amplitude / extremes.max_distance_from(0));
       }
     }
   }

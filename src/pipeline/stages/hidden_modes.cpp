@@ -18,10 +18,10 @@ bool may_hide_modes(const identify::FrfDataset& set, const TestSpectra& spectra,
          std::any_of(modes.begin(), modes.end(), [](const identify::Mode& mode) { return mode.joint_misfit > 0; });
 }
 
-HiddenModes add_hidden_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
-                             const identify::FrfDataset& set, const std::function<const identify::HitFrfs&()>& hits,
-                             identify::Effort effort) {
-  HiddenModes out;
+HiddenModeSearch add_hidden_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
+                                  const identify::FrfDataset& set,
+                                  const std::function<const identify::HitFrfs&()>& hits, identify::Effort effort) {
+  HiddenModeSearch out;
   std::copy_if(tones.begin(), tones.end(), std::back_inserter(out.wandering),
                [](const Tone& tone) { return tone.wanders; });
   std::vector<identify::Pole> poles = identify::unmodelled_poles(set, modes);

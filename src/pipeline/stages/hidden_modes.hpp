@@ -15,7 +15,7 @@ namespace percuss::pipeline {
 bool may_hide_modes(const identify::FrfDataset& set, const TestSpectra& spectra,
                     const identify::IdentifyOptions& options, const std::vector<identify::Mode>& modes);
 
-struct HiddenModes {
+struct HiddenModeSearch {
   // Tones whose phase changes along the record, and resonances that the force does not explain.
   std::vector<Tone> wandering;
   std::optional<std::vector<identify::Pole>> unmodelled;  // unmodelled_poles, where no mode was added
@@ -24,8 +24,8 @@ struct HiddenModes {
 /// Adds modes at the resonances that `modes` do not describe, each from a narrow band around it (add_modes_at).
 /// `wandering` holds the tones of `tones` that wander, and the resonances that the force does not explain (tones_at).
 /// `hits` is called only where it is needed.
-HiddenModes add_hidden_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
-                             const identify::FrfDataset& set, const std::function<const identify::HitFrfs&()>& hits,
-                             identify::Effort effort);
+HiddenModeSearch add_hidden_modes(std::vector<identify::Mode>& modes, const std::vector<Tone>& tones,
+                                  const identify::FrfDataset& set,
+                                  const std::function<const identify::HitFrfs&()>& hits, identify::Effort effort);
 
 }  // namespace percuss::pipeline

@@ -10,6 +10,7 @@
 #include "core/io/significant_digits.hpp"
 #include "core/units.hpp"
 #include "pipeline/channels/mass_loading.hpp"
+#include "pipeline/warnings/sensor_name.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -26,11 +27,6 @@ constexpr double kSameRatio = 1.1;         // of ChannelPair::spread: sensors at
 constexpr double kOppositeMotion = -0.95;  // of ChannelPair::correlation
 constexpr double kOneSide_rad = std::numbers::pi / 2 + 0.1;  // sensors farther apart may point against each other
 constexpr double kOwnPlace_rad = std::numbers::pi / 6;       // sensors farther apart show different motions
-
-std::string name_of(const acquire::Record& record, std::size_t channel) {
-  if (channel >= record.accel.size() || record.accel[channel].name.empty()) return fmt::format("accel {}", channel + 1);
-  return one_line(record.accel[channel].name, kMaxNameBytes);
-}
 
 std::string delay_text(double s, double std_s) {
   const double magnitude = std::abs(s);
@@ -63,8 +59,9 @@ DelayList list_of(const acquire::Record& record, const std::vector<identify::Mod
   DelayList list;
   for (const ChannelDelay& delay : delays) {
     if (!matters(delay, modes)) continue;
-    list.text += fmt::format("{}{} {} {} the force", list.text.empty() ? "" : ", ", name_of(record, delay.channel),
-                             delay_text(delay.delay_s, delay.std_s), delay.delay_s > 0 ? "after" : "before");
+    list.text +=
+        fmt::format("{}{} {} {} the force", list.text.empty() ? "" : ", ", sensor_name(record.accel, delay.channel),
+                    delay_text(delay.delay_s, delay.std_s), delay.delay_s > 0 ? "after" : "before");
     if (list.most == nullptr || delay.largest_phase() > list.most->largest_phase()) list.most = &delay;
   }
   return list;
@@ -106,7 +103,7 @@ std::vector<Warning> clocks(const acquire::Record& record, const std::vector<Cha
          fmt::format("{} shows the {} modes that it shares with {} at frequencies {} ± {} ppm {}: the clocks of their "
                      "recorders differ by this factor. Frequencies are uncertain by as much, damping ratios are off, "
                      "and one mode may appear as two",
-                     name_of(record, clock.channel), clock.modes, name_of(record, 0),
+                     sensor_name(record.accel, clock.channel), clock.modes, sensor_name(record.accel, 0),
                      significant(std::abs(clock.excess) * 1e6, 4), significant(clock.std * 1e6, 2),
                      clock.excess > 0 ? "higher" : "lower"),
          {"accel_channel"}},
@@ -125,8 +122,8 @@ std::vector<Warning> units(const acquire::Record& record, const ChannelFindings&
         with_remedy({"units_differ",
                      fmt::format("{} is {:.3g} times {} in the median of {} modes: is one of them in mm/s² or mV, or a "
                                  "sensitivity wrong by 1000? Residues, shapes and mode types are wrong then",
-                                 name_of(record, second ? pair.second : pair.first), factor,
-                                 name_of(record, second ? pair.first : pair.second), pair.modes),
+                                 sensor_name(record.accel, second ? pair.second : pair.first), factor,
+                                 sensor_name(record.accel, second ? pair.first : pair.second), pair.modes),
                      {"unit", "accel_scale"}},
                     "state the unit or the scale of each channel"));
   }
@@ -160,7 +157,7 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
           {"reversed",
            fmt::format("{} moves against {} in each of {} modes: reversing one of them would make all "
                        "modes agree. Shapes have the wrong sign there",
-                       name_of(record, pair.second), name_of(record, pair.first), pair.modes),
+                       sensor_name(record.accel, pair.second), sensor_name(record.accel, pair.first), pair.modes),
            {"setup", "accel_scale"}},
           R"(check which way the sensors point, and state "sign": -1 for the reversed one in the set-up, or a )"
           "negative scale"));
@@ -169,7 +166,8 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
           {"same_motion",
            fmt::format("{} and {} show the same motion in all {} modes, but their stated angles are {:.0f}° apart: an "
                        "angle is wrong, or one signal was recorded twice. Bending and hoop are not distinguished then",
-                       name_of(record, pair.first), name_of(record, pair.second), pair.modes, *angle_rad * kRadian_deg),
+                       sensor_name(record.accel, pair.first), sensor_name(record.accel, pair.second), pair.modes,
+                       *angle_rad * kRadian_deg),
            {"angle"}},
           "state the angle of each sensor"));
     }
@@ -197,7 +195,7 @@ std::vector<Warning> silent_channels(const acquire::Record& record, const std::v
          fmt::format("{} shows none of the {} modes: its residues are within {:.0f} standard deviations of zero. If it "
                      "does not respond, what compares it with other channels (bending or hoop, directions, shapes) is "
                      "wrong",
-                     name_of(record, c), modes.size(), kNoResidue),
+                     sensor_name(record.accel, c), modes.size(), kNoResidue),
          {"accel_channel"},
          "",
          acquire::Severity::warn},

@@ -47,9 +47,9 @@ double pulse_level(const std::vector<double>& pulse, double from, double to) {
 }
 
 double spread_of_logs(const std::vector<double>& values) {
-  double sum = 0, square = 0;
-  for (const double value : values) sum += std::log(value) / static_cast<double>(values.size());
-  for (const double value : values) square += (std::log(value) - sum) * (std::log(value) - sum);
+  double mean = 0, square = 0;
+  for (const double value : values) mean += std::log(value) / static_cast<double>(values.size());
+  for (const double value : values) square += (std::log(value) - mean) * (std::log(value) - mean);
   return std::sqrt(square / static_cast<double>(values.size() - 1));
 }
 
@@ -145,8 +145,7 @@ std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std:
     const std::vector<double>& pulse = hits[h].hit.gated_N;
     fall.push_back(pulse_level(pulse, 0.49, 0.5) / pulse_level(pulse, 0.41, 0.43));
     for (const HitResponse& response : responses.of[h]) {
-      const Extremes& extremes = response.grade.extremes;
-      const double largest = std::max(extremes.high, -extremes.low);
+      const double largest = response.grade.extremes.max_distance_from(0);
       if (!response.noise.after.rms.empty() && largest > 0)
         folded.push_back(response.noise.after.rms.front() / largest);
     }
@@ -185,11 +184,12 @@ std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, c
   const LevelSide& clearest = sides.front();
   return {with_remedy(
       {"response_clipped",
-       fmt::format("{} reaches {:.4g} m/s² in every hit, within {:.2g} %, although the forces differ by {:.0f} %: "
-                   "its amplifier clips before the recorder's filter, which rounds the tops. Residues, damping and "
-                   "frequencies are off by more than their ±",
-                   one_line(record.accel[clearest.channel].name, kMaxNameBytes), clearest.level, 100 * clearest.spread,
-                   100 * clearest.force_spread)},
+       fmt::format(
+           "{} reaches {:.4g} m/s² in every hit of a point, within {:.2g} %, although the forces differ by {:.0f} %: "
+           "its amplifier clips before the recorder's filter, which rounds the tops. Residues, damping and "
+           "frequencies are off by more than their ±",
+           one_line(record.accel[clearest.channel].name, kMaxNameBytes), clearest.level, 100 * clearest.spread,
+           100 * clearest.force_spread)},
       "lower the gain, use a sensor of larger range, or strike more softly")};
 }
 

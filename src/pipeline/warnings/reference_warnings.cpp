@@ -47,8 +47,8 @@ std::string group_text(const std::string& cause, const std::vector<ReferenceCont
 std::vector<Warning> reference_warnings(const std::vector<acquire::SignalInfo>& accel,
                                         const std::vector<identify::Mode>& modes) {
   const auto name = [&](std::size_t channel) { return one_line(accel[channel].name, kMaxNameBytes); };
-  using Group = std::map<std::string, std::vector<ReferenceContradiction>>;  // by cause
-  std::map<std::pair<std::size_t, std::size_t>, Group> pairs;
+  using Groups = std::map<std::string, std::vector<ReferenceContradiction>>;  // by cause
+  std::map<std::pair<std::size_t, std::size_t>, Groups> pairs;
   for (const ReferenceContradiction& at : reference_contradictions(modes)) {
     if (at.first < accel.size() && at.second < accel.size())
       pairs[{at.first, at.second}][cause(at.factor, name(at.first), name(at.second))].push_back(at);

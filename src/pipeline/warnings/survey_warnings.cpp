@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "acquire/channels/named_channels.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "pipeline/warnings/mode_warnings.hpp"
+#include "pipeline/warnings/sensor_name.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -121,17 +121,12 @@ void warn_of_partners(const SurveyResults& survey, std::vector<Warning>& out) {
   }
 }
 
-std::string sensor_name(const SurveyResults& survey, std::size_t channel) {
-  const std::string& name = survey.accel.at(channel).name;
-  return name.empty() ? acquire::channel_name(channel) : one_line(name, kMaxNameBytes);
-}
-
 void warn_of_signs(const SurveyResults& survey, std::vector<Warning>& out) {
   std::string wrong;
   for (const identify::DrivingPointCheck& check : survey.driving_checks) {
     if (check.wrong_sign)
       add_name(wrong, fmt::format("mode {} at point {}, {}", check.mode + 1, check.at.point,
-                                  sensor_name(survey, check.at.channel)));
+                                  sensor_name(survey.accel, check.at.channel)));
   }
   if (!wrong.empty()) {
     out.push_back(with_remedy(
@@ -159,8 +154,9 @@ void warn_of_frac(const SurveyResults& survey, std::vector<Warning>& out) {
   std::size_t count = 0;
   for (const identify::SynthesisedFrf& frf : survey.synthesis) {
     if (!poorly_explained(frf) || ++count > kMaxNamed) continue;
-    add_name(poor, fmt::format("point {} {} ({:.4f}{})", survey.frf_points[frf.point], sensor_name(survey, frf.channel),
-                               frf.frac, noise_alone(frf) ? ", the rest is noise" : ""));
+    add_name(poor,
+             fmt::format("point {} {} ({:.4f}{})", survey.frf_points[frf.point], sensor_name(survey.accel, frf.channel),
+                         frf.frac, noise_alone(frf) ? ", the rest is noise" : ""));
   }
   if (count == 0) return;
   if (count > kMaxNamed) poor += fmt::format(" and {} more", count - kMaxNamed);

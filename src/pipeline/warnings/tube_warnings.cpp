@@ -72,8 +72,8 @@ std::vector<Warning> midway_hit(const std::vector<ClearRatio>& ratios) {
     return {
         with_remedy({"midway_hit",
                      "in every mode, the two sensors move by the same amount in opposite phase. Hoop modes do that, "
-                     "and also bending modes if the hits were halfway between the sensors (135°): the types are "
-                     "not told apart"},
+                     "and also bending modes if the hits were halfway between one sensor and the place opposite the "
+                     "other (135° for sensors at 0° and 90°): the types are not told apart"},
                     kRemedy)};
   }
   if (all_near(kEighth_rad)) {

@@ -23,18 +23,13 @@ constexpr double kMagnitudeStep_dB = 0.01, kPhaseStep_deg = 0.1, kCoherenceStep 
 // A test of many points shows fewer curves here, because the plot "fit" has every FRF and the page a limited size.
 constexpr std::size_t kManyFrfs = 12, kFrfsOfMany = 3, kManyHits = 32, kHitsOfMany = 6, kFrfsShown = 8, kHitsShown = 12;
 
-Json numbers_json(std::span<const double> values, double min_step) {
-  QuantisedCurve numbers = quantised_curve(values, min_step);
-  return {{"from", numbers.from}, {"step", numbers.step}, {"u16", std::move(numbers.u16)}};
-}
-
 Json curve_plot_json(const FrfCurve& curve) {
   Json json{{"name", curve.name},
-            {"db", numbers_json(curve.level_dB, kMagnitudeStep_dB)},
-            {"phase_deg", numbers_json(curve.phase_deg, kPhaseStep_deg)}};
-  if (!curve.coherence.empty()) json["coherence"] = numbers_json(curve.coherence, kCoherenceStep);
-  if (!curve.above_dB.empty()) json["sigma_db"] = numbers_json(curve.above_dB, kMagnitudeStep_dB);
-  if (!curve.fit_dB.empty()) json["fit_db"] = numbers_json(curve.fit_dB, kMagnitudeStep_dB);
+            {"db", quantised_json(curve.level_dB, kMagnitudeStep_dB)},
+            {"phase_deg", quantised_json(curve.phase_deg, kPhaseStep_deg)}};
+  if (!curve.coherence.empty()) json["coherence"] = quantised_json(curve.coherence, kCoherenceStep);
+  if (!curve.above_dB.empty()) json["sigma_db"] = quantised_json(curve.above_dB, kMagnitudeStep_dB);
+  if (!curve.fit_dB.empty()) json["fit_db"] = quantised_json(curve.fit_dB, kMagnitudeStep_dB);
   return json;
 }
 
@@ -69,7 +64,7 @@ Json modes_plot_json(const pipeline::Analysis& analysis,
 }
 
 Json samples_json(const HitSamples& samples, double min_step) {
-  return {{"first", samples.first}, {"step", samples.step}, {"values", numbers_json(samples.value, min_step)}};
+  return {{"first", samples.first}, {"step", samples.step}, {"values", quantised_json(samples.value, min_step)}};
 }
 
 Json hits_plot_json(const pipeline::Analysis& analysis) {
@@ -96,7 +91,7 @@ Json stabilisation_plot_json(const identify::Stabilisation& diagram, const std::
     orders.push_back(pole.order);
     stability += name_of(pole.stability)[0];
   }
-  Json json{{"hz", numbers_json(freq_Hz, 0)}, {"order", std::move(orders)}, {"stability", stability}};
+  Json json{{"hz", quantised_json(freq_Hz, 0)}, {"order", std::move(orders)}, {"stability", stability}};
   for (const identify::Pole& pole : unmodelled) json["unmodelled_hz"].push_back(pole.freq_Hz);
   return json;
 }

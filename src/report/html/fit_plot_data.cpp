@@ -181,17 +181,13 @@ Json indicator_plot_json(const pipeline::Analysis& analysis, const Eigen::Matrix
   constexpr Eigen::Index kMaxValues = 3;
   constexpr double kLevelStep_dB = 0.01, kIndicatorStep = 1e-3;
   const acquire::LineRange band = analysis.band_lines();
-  const auto curve_json = [](const std::vector<double>& values, double step) {
-    const QuantisedCurve numbers = quantised_curve(values, step);
-    return Json{{"from", numbers.from}, {"step", numbers.step}, {"u16", numbers.u16}};
-  };
   Json json{{"first_hz", band.freq_Hz(0)}, {"df_hz", band.df_Hz()}, {"values", Json::array()}};
   for (Eigen::Index i = 0; i < std::min(kMaxValues, cmif.cols()); ++i) {
     std::vector<double> level_dB;
     for (const double value : cmif.col(i)) level_dB.push_back(20 * std::log10(std::max(value, 1e-300)));
-    json["values"].push_back(curve_json(level_dB, kLevelStep_dB));
+    json["values"].push_back(quantised_json(level_dB, kLevelStep_dB));
   }
-  json["mif"] = curve_json(identify::mif(analysis.fitted_frfs(), band), kIndicatorStep);
+  json["mif"] = quantised_json(identify::mif(analysis.fitted_frfs(), band), kIndicatorStep);
   return json;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/units.hpp"
+#include "report/json/json_document.hpp"
 #include "report/text/number_format.hpp"
 
 namespace percuss::report {
@@ -39,7 +40,7 @@ std::string bending_plot_json(const BendingPlot& plot) {
   for (const auto& [z_m, radius_m] : plot.outline_m)
     json["outline"].push_back({rounded_for_plot(z_m), rounded_for_plot(radius_m)});
   for (const BendingShape& line : plot.modes) json["modes"].push_back(line_json(line));
-  return Json{{"bending", std::move(json)}}.dump(-1, ' ', true, Json::error_handler_t::replace);
+  return ascii_text(Json{{"bending", std::move(json)}});
 }
 
 std::string inches_and_mm(double value_m, double std_m) {

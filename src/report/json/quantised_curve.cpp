@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "report/text/digest.hpp"
@@ -33,6 +35,11 @@ QuantisedCurve quantised_curve(std::span<const double> values, double min_step) 
     bytes.push_back(static_cast<std::uint8_t>(k >> 8U));
   }
   return {.from = low, .step = step, .u16 = base64(bytes)};
+}
+
+nlohmann::ordered_json quantised_json(std::span<const double> values, double min_step) {
+  QuantisedCurve curve = quantised_curve(values, min_step);
+  return {{"from", curve.from}, {"step", curve.step}, {"u16", std::move(curve.u16)}};
 }
 
 }  // namespace percuss::report

@@ -1,4 +1,5 @@
 #pragma once
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 
@@ -13,5 +14,7 @@ struct QuantisedCurve {
 
 /// `step` is the range over 65534, but at least `min_step`, which is 0 or more and below the resolution of the plot.
 QuantisedCurve quantised_curve(std::span<const double> values, double min_step);
+/// The curve as a JSON object: "from", "step" and "u16".
+nlohmann::ordered_json quantised_json(std::span<const double> values, double min_step);
 
 }  // namespace percuss::report

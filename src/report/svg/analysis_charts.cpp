@@ -19,12 +19,6 @@ constexpr double kTurn_deg = 360, kJump_deg = 300;
 constexpr double kMinAmplitude = 0.01;  // of a curve, as a lower limit where the ± band reaches zero
 const ChartAxis kFrequency{.label = "frequency, Hz"};
 
-std::vector<double> line_frequencies(const pipeline::Analysis& analysis) {
-  std::vector<double> out(analysis.lines().count);
-  for (std::size_t k = 0; k < out.size(); ++k) out[k] = analysis.lines().freq_Hz(k);
-  return out;
-}
-
 std::vector<ChartAnnotation> mode_flags(const pipeline::Analysis& analysis,
                                         const std::vector<identify::ModeClassification>& classifications) {
   std::vector<ChartAnnotation> flags;
@@ -46,7 +40,7 @@ ChartBand band_of(const FrfCurve& curve, const std::vector<double>& x, std::size
 LineChart magnitude_chart(const pipeline::Analysis& analysis, const std::vector<FrfCurve>& frfs,
                           const std::vector<identify::ModeClassification>& classifications) {
   LineChart chart{.title = "Frequency responses", .x = kFrequency, .y = {.label = "dB re 1 (m/s²)/N"}};
-  const std::vector<double> x = line_frequencies(analysis);
+  const std::vector<double> x = acquire::frequencies_Hz(analysis.lines());
   for (std::size_t i = 0; i < frfs.size(); ++i) {
     chart.curves.push_back({.name = frfs[i].name, .x = x, .y = frfs[i].level_dB, .style = i});
     if (!frfs[i].above_dB.empty()) chart.bands.push_back(band_of(frfs[i], x, i));
@@ -73,7 +67,7 @@ LineChart phase_chart(const pipeline::Analysis& analysis, const std::vector<FrfC
                   .y = {.label = "degrees",
                         .range = std::pair(-0.53 * kTurn_deg, 0.53 * kTurn_deg),
                         .ticks = {-180, -90, 0, 90, 180}}};
-  const std::vector<double> x = line_frequencies(analysis);
+  const std::vector<double> x = acquire::frequencies_Hz(analysis.lines());
   for (std::size_t i = 0; i < frfs.size(); ++i)
     chart.curves.push_back({.name = frfs[i].name, .x = x, .y = interrupted_at_wraps(frfs[i].phase_deg), .style = i});
   return chart;
@@ -81,7 +75,7 @@ LineChart phase_chart(const pipeline::Analysis& analysis, const std::vector<FrfC
 
 LineChart coherence_chart(const pipeline::Analysis& analysis, const std::vector<FrfCurve>& frfs) {
   LineChart chart{.title = "Coherence", .x = kFrequency, .y = {.label = "coherence", .range = std::pair(0.0, 1.02)}};
-  const std::vector<double> x = line_frequencies(analysis);
+  const std::vector<double> x = acquire::frequencies_Hz(analysis.lines());
   for (std::size_t i = 0; i < frfs.size(); ++i) {
     if (!frfs[i].coherence.empty())
       chart.curves.push_back({.name = frfs[i].name, .x = x, .y = frfs[i].coherence, .style = i});

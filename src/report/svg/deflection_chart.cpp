@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/warnings/sensor_name.hpp"
 #include "report/text/deflection_text.hpp"
 
 namespace percuss::report {
@@ -96,7 +97,7 @@ LineChart deflection_chart(const pipeline::Analysis& analysis, const pipeline::I
   for (const pipeline::DeflectedHit* hit : hits) largest_m = std::max(largest_m, measured_peak_m(*hit));
   bool all_drawn = true;
   for (const pipeline::DeflectedHit* hit : hits) {
-    const std::string sensor = channel_name(analysis, hit->channel);
+    const std::string sensor = pipeline::sensor_name(analysis.record().accel, hit->channel);
     const std::size_t samples = determined_samples(hit->deflection, largest_m);
     all_drawn = all_drawn && samples == hit->deflection.deflection_m.size();
     add_curve(analysis, *hit,
@@ -116,7 +117,7 @@ std::optional<LineChart> deflection_over_position(const pipeline::Analysis& anal
                   .y = {.label = "largest deflection, mm"},
                   .curves = {}};
   for (std::size_t channel = 0; channel < analysis.record().accel.size(); ++channel) {
-    ChartCurve mean{.name = channel_name(analysis, channel), .marks = true};
+    ChartCurve mean{.name = pipeline::sensor_name(analysis.record().accel, channel), .marks = true};
     ChartBand band{.style = chart.curves.size()};
     for (const pipeline::PointDeflection& point : test.points) {
       if (point.channel != channel || !point.position_m || std::isnan(point.peak_m)) continue;

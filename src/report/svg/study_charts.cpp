@@ -146,11 +146,8 @@ std::string points_csv(const metrics::Study& study, metrics::StudyQuantity x, me
       fmt::format("id,length_in,material,condition,{},{}\n", metrics::column_of(x), metrics::column_of(y));
   for (const std::size_t b : bats) {
     const metrics::StudyBat& bat = study.bats[b];
-    const char* const material = bat.material == metrics::BarrelMaterial::wood       ? "wood"
-                                 : bat.material == metrics::BarrelMaterial::aluminum ? "aluminum"
-                                                                                     : "composite";
-    out += fmt::format("{},{},{},{},{},{}\n", csv_cell(bat.id, formulas), bat.length_in, material, bat.condition(),
-                       *bat.value(x), *bat.value(y));
+    out += fmt::format("{},{},{},{},{},{}\n", csv_cell(bat.id, formulas), bat.length_in, metrics::name_of(bat.material),
+                       bat.condition(), *bat.value(x), *bat.value(y));
   }
   return out;
 }

@@ -48,8 +48,7 @@ std::string summary_sentence(const pipeline::Analysis& analysis,
     const bool named = type != identify::ModeType::unknown || !parts.empty();
     parts.push_back(fmt::format(
         "{}{}",
-        named ? fmt::format("{} at ", type == identify::ModeType::unknown ? "of unknown family" : name_of(type))
-              : "at ",
+        named ? fmt::format("{} at ", type == identify::ModeType::unknown ? "of unknown type" : name_of(type)) : "at ",
         list_of(found)));
   }
   return fmt::format("{} mode{} {}: {} Hz.", count, count == 1 ? "" : "s", band, fmt::join(parts, " Hz; "));

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
+#include "pipeline/warnings/sensor_name.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
 #include "report/text/warnings_text.hpp"
@@ -23,11 +24,6 @@ double sample_time_s(const pipeline::Analysis& analysis, const pipeline::Deflect
   return hit.first_s + static_cast<double>(sample) / analysis.record().fs_Hz;
 }
 
-std::string channel_name(const pipeline::Analysis& analysis, std::size_t channel) {
-  const std::string& name = analysis.record().accel[channel].name;
-  return name.empty() ? fmt::format("accel {}", channel + 1) : one_line(name, 40);
-}
-
 ReportText deflection_tables(const pipeline::Analysis& analysis, const pipeline::ImpactTest& test) {
   using Align = TextTable::Align;
   TextTable hits({{"hit", Align::right},
@@ -39,8 +35,8 @@ ReportText deflection_tables(const pipeline::Analysis& analysis, const pipeline:
                   {"method"}});
   for (const pipeline::DeflectedHit& hit : test.hits) {
     const metrics::Deflection& d = hit.deflection;
-    hits.add({fmt::format("{}", hit.hit + 1), fmt::format("{}", hit.point), channel_name(analysis, hit.channel),
-              millimetres(d.peak_m, d.peak_std_m),
+    hits.add({fmt::format("{}", hit.hit + 1), fmt::format("{}", hit.point),
+              pipeline::sensor_name(analysis.record().accel, hit.channel), millimetres(d.peak_m, d.peak_std_m),
               d.has_peak() ? fmt::format("{:.4f} s", sample_time_s(analysis, hit, d.peak)) : "",
               fmt::format("{:.2g} mm", 1000 * d.drift_m), name_of(d.method)});
   }
@@ -48,8 +44,8 @@ ReportText deflection_tables(const pipeline::Analysis& analysis, const pipeline:
       {{"point", Align::right}, {"sensor"}, {"hits", Align::right}, {"mean of the largest deflections", Align::right}});
   bool repeats = false;
   for (const pipeline::PointDeflection& point : test.points) {
-    points.add({fmt::format("{}", point.point), channel_name(analysis, point.channel), fmt::format("{}", point.hits),
-                millimetres(point.peak_m, point.std_m)});
+    points.add({fmt::format("{}", point.point), pipeline::sensor_name(analysis.record().accel, point.channel),
+                fmt::format("{}", point.hits), millimetres(point.peak_m, point.std_m)});
     repeats = repeats || point.hits > 1;
   }
   ReportText text;

@@ -14,7 +14,4 @@ ReportText deflection_tables(const pipeline::Analysis& analysis, const pipeline:
 /// Time of a sample of the hit, from the row's beginning.
 double sample_time_s(const pipeline::Analysis& analysis, const pipeline::DeflectedHit& hit, std::size_t sample);
 
-/// The channel's name in one line; "accel 1" for a channel without a name.
-std::string channel_name(const pipeline::Analysis& analysis, std::size_t channel);
-
 }  // namespace percuss::report

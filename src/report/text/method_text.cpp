@@ -39,16 +39,26 @@ void add_selection(const acquire::HitOptions& options, Sentences& out) {
     out.push_back(fmt::format("The user set the length of each hit to {:.6g} s.", *options.length_s));
 }
 
+// Where find_hits took the hits from.
+std::string how_found(const pipeline::Analysis& analysis) {
+  const acquire::Record& record = analysis.record();
+  if (!record.continuous && record.rows.size() > 1) return "taken from the rows of the record, one from each";
+  if (const auto& trigger_N = analysis.options().hits.trigger_N) {
+    return fmt::format("found where the force differs from its baseline by {:.6g} N or more, as the user stated",
+                       *trigger_N);
+  }
+  return "found where the force differs from its baseline by more than the noise (1.1), (1.2)";
+}
+
 void add_hits(const pipeline::Analysis& analysis, Sentences& out) {
   const auto& hits = analysis.hits();
   add_selection(analysis.options().hits, out);
   const std::size_t used = pipeline::accepted_hits(hits).size();
-  out.push_back(
-      fmt::format("{} found where the force differs from its baseline by more than the noise (1.1), (1.2); {} used.",
-                  hits.size() == 1 ? "1 hit was" : fmt::format("{} hits were", hits.size()),
-                  used == hits.size() ? (used == 1 ? "it was" : "all were")
-                  : used == 1         ? "1 was"
-                                      : fmt::format("{} were", used)));
+  out.push_back(fmt::format(
+      "{} {}; {} used.", hits.size() == 1 ? "1 hit was" : fmt::format("{} hits were", hits.size()), how_found(analysis),
+      used == hits.size() ? (used == 1 ? "it was" : "all were")
+      : used == 1         ? "1 was"
+                          : fmt::format("{} were", used)));
   std::size_t listed = 0, more = 0;
   for (std::size_t h = 0; h < hits.size(); ++h) {
     if (hits[h].accepted) {

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -120,7 +121,24 @@ TEST(HitFindings, ReportNoPulseInDriftNoiseOrSilence) {
 TEST(HitFindings, DoNotTakeASlowPushForAHit) {
   std::vector<double> row(kSamples);
   test::add_haversine(row, 2000, 0.1 * kFs_Hz, 50);  // 100 ms
-  EXPECT_NE(only(hit_of(row), FindingCode::no_pulse), nullptr);
+  for (const Hit& hit : {hit_of(row), find_hits(test::force_record(kFs_Hz, {row}), {.trigger_N = 20}).at(0)}) {
+    const Finding* const finding = only(hit, FindingCode::no_pulse);
+    ASSERT_NE(finding, nullptr);
+    EXPECT_EQ(finding->message,
+              "no hammer pulse: the force of 50 N lasts longer than a hammer's contact; check the hammer's cable and "
+              "channel");
+    EXPECT_TRUE(finding->options.empty());
+  }
+}
+
+TEST(HitFindings, SayThatTheForceStaysAtRest) {
+  std::vector<double> row(kSamples);
+  test::add_noise(row, 0.3, 9);
+  EXPECT_THAT(hit_of(row).findings.at(0).message, testing::HasSubstr("stays within"));
+  test::add_haversine(row, 2000, 0.1 * kFs_Hz, 50);
+  const Hit below = find_hits(test::force_record(kFs_Hz, {row}), {.trigger_N = 200}).at(0);
+  EXPECT_THAT(below.findings.at(0).message, testing::AllOf(testing::HasSubstr("stays within"),
+                                                           testing::HasSubstr("check the trigger level of 200 N")));
 }
 
 TEST(HitFindings, ReportAWeakHit) {

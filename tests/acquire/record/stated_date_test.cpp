@@ -1,5 +1,6 @@
 #include "acquire/record/stated_date.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,6 +11,9 @@
 #include "support/scratch_folder.hpp"
 
 namespace percuss::acquire::stated_date_test {
+
+using testing::Contains;
+using testing::Not;
 
 TEST(StatedDate, IsTheThirdLineOfADataSet58) {
   EXPECT_EQ(stated_date("    -1\n    58\nhit 1\nNONE\n20-NOV-26 14:03:22\nNONE\nNONE\n    1  0\n"),
@@ -74,6 +78,18 @@ TEST(StatedDate, IsKeptInHdf5) {
   EXPECT_EQ(date_read(true), "2026-11-20 14:03");
   record.files.back().date = "2026-11-21";
   EXPECT_EQ(date_read(false), "") << "two dates";
+}
+
+TEST(StatedDate, IsNamedAsALossWhereTheFormatHasNoPlaceForIt) {
+  constexpr const char* kLoss = "the date of the test";
+  Record record = record_in_memory(1000, {{1, 2, 3}}, {{{4, 5, 6}}});
+  const auto formats = {"a.csv", "a.mat", "a.uff", "a.wav", "a.w64"};
+  for (const char* path : formats) EXPECT_THAT(losses_of(path, record), Not(Contains(kLoss))) << path;
+  record.files = {{.path = "none.csv", .date = "2026-11-20 14:03"}};
+  for (const char* path : formats) EXPECT_THAT(losses_of(path, record), Contains(kLoss)) << path;
+  EXPECT_THAT(losses_of("a.h5", record), Not(Contains(kLoss)));
+  record.files.push_back({.path = "other.csv", .date = "2026-11-21"});
+  EXPECT_THAT(losses_of("a.csv", record), Not(Contains(kLoss))) << "two dates";
 }
 
 TEST(StatedDate, OfHdf5IsATextThatCanBeADate) {

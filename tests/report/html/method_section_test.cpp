@@ -2,12 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "report/text/method_text.hpp"
 #include "support/files/synthetic_files.hpp"
+#include "support/modal_frfs.hpp"
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/text_parts.hpp"
+#include "synth/synthesise.hpp"
 
 // What makes a page a test report: its title block, its section "Method", and the PDF.
 namespace percuss::report::method_section_test {
@@ -49,9 +53,9 @@ TEST_F(TestReport, SaysHowItsResultsWereMade) {
   const std::string method = between(page_of(folder_.file("bat.h5"), {"--reject-hit", "2", "--estimator", "hv",
                                                                       "--effort", "standard", "--exponential", "0.01"}),
                                      "<h2 id=\"method-h\">", "</section>");
-  for (const char* part : {"3 hits were found", "2 were used", "Hit 2 was not used: rejected by the user",
-                           "within a gate around each pulse", "fell to 0.01", "estimator Hv (2.6)", "effort standard",
-                           "Bending or hoop was decided"})
+  for (const char* part : {"3 hits were taken from the rows of the record, one from each; 2 were used.",
+                           "Hit 2 was not used: rejected by the user", "within a gate around each pulse",
+                           "fell to 0.01", "estimator Hv (2.6)", "effort standard", "Bending or hoop was decided"})
     EXPECT_THAT(method, HasSubstr(part));
 }
 
@@ -65,6 +69,30 @@ TEST_F(TestReport, StatesTheEstimatorOfGivenFrfsOnlyAsTheirFileDoes) {
   const std::string own = test::bytes_of(folder_.file("f.csv"));
   test::write_bytes(folder_.file("foreign.csv"), "# accelerance (m/s^2)/N\n" + own.substr(own.find('\n') + 1));
   EXPECT_THAT(page_of(folder_.file("foreign.csv")), HasSubstr("their estimator is not stated"));
+}
+
+TEST(MethodSentences, SayHowTheHitsWereFound) {
+  const auto sentence = [](std::size_t hits, bool continuous, std::optional<double> trigger_N) {
+    synth::SynthSpec spec = test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02}}, 0.5);
+    spec.hits = hits;
+    spec.noise = {.force = 1e-4, .accel = 1e-3};
+    acquire::Record record = synth::synthesise(spec).record;
+    record.continuous = continuous;
+    const pipeline::Analysis analysis(
+        std::move(record), {.band_Hz = std::pair{100.0, 400.0}, .hits = {.trigger_N = trigger_N}, .threads = 1});
+    return method_sentences(analysis, {.modes = false}).at(1);
+  };
+  EXPECT_EQ(sentence(2, false, std::nullopt),
+            "2 hits were taken from the rows of the record, one from each; all were used.");
+  EXPECT_EQ(sentence(2, false, 20), sentence(2, false, std::nullopt));
+  for (const std::size_t hits : {1U, 2U}) {  // a single row may hold several hits
+    const std::string found = hits == 1 ? "1 hit was found " : "2 hits were found ";
+    const std::string used = hits == 1 ? "; it was used." : "; all were used.";
+    EXPECT_EQ(sentence(hits, hits > 1, std::nullopt),
+              found + "where the force differs from its baseline by more than the noise (1.1), (1.2)" + used);
+    EXPECT_EQ(sentence(hits, hits > 1, 20),
+              found + "where the force differs from its baseline by 20 N or more, as the user stated" + used);
+  }
 }
 
 TEST(FitSentences, NameTheExceptionsAndThePartsOfTheDeviations) {

@@ -47,6 +47,7 @@ const FileFormat kHdf5Format{.name = "HDF5",
                              .write_frfs = write_frf_record_hdf5,
                              .record_losses = hdf5_losses,
                              .keeps_marks = true,
+                             .keeps_date = true,
                              .keeps_faces = true};
 
 }  // namespace percuss::acquire

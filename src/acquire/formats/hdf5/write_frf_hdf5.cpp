@@ -48,8 +48,7 @@ void write_frf_group(hdf5::OutputHdf5& out, const std::string& group, const FrfR
                     point_set = within(group, "point");
   if (!group.empty()) out.create_group(group);
   out.create_set(frequency, std::array{count});
-  std::vector<double> freq_Hz(count);
-  for (std::size_t k = 0; k < count; ++k) freq_Hz[k] = record.lines.freq_Hz(k);
+  const std::vector<double> freq_Hz = frequencies_Hz(record.lines);
   out.write(frequency, {}, 0, std::span<const double>(freq_Hz));
   out.create_set(frfs, shape, hdf5::Stored::complex128);
   if (has_std) out.create_set(stds, shape);

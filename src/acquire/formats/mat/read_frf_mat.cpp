@@ -204,15 +204,11 @@ void read_frfs(const MatFile& file, const MatVariable& frf, const MatFrfLayout& 
 }
 
 void describe_mat_channels(const MatFile& file, std::size_t channels, StoredFrfs& out) {
-  const MatVariable* const angle_deg = find_variable(file, "angle_deg");
-  const MatVariable* const position_m = find_variable(file, "position_m");
-  const auto value = [&](const MatVariable* v, std::size_t c) {
-    const bool known = v != nullptr && v->size() == channels && !v->is_complex() && std::isfinite(v->real[c]);
-    return known ? std::optional(v->real[c]) : std::nullopt;
-  };
+  const auto angle_deg = per_channel(file, "angle_deg", channels);
+  const auto position_m = per_channel(file, "position_m", channels);
   for (std::size_t c = 0; c < channels; ++c) {
-    SignalInfo signal{.name = channel_name(c), .position_m = value(position_m, c)};
-    if (const auto degrees = value(angle_deg, c)) signal.angle_rad = *degrees * kDegree_rad;
+    SignalInfo signal{.name = channel_name(c), .position_m = position_m[c]};
+    if (angle_deg[c]) signal.angle_rad = *angle_deg[c] * kDegree_rad;
     out.record.accel.push_back(std::move(signal));
   }
 }

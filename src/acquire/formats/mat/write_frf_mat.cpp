@@ -3,9 +3,8 @@
 #include <set>
 
 #include "acquire/formats/mat/mat_output.hpp"
+#include "acquire/formats/mat/mat_sensors.hpp"
 #include "acquire/formats/mat/write_frf_mat.hpp"
-#include "acquire/record/sensor_numbers.hpp"
-#include "core/units.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -21,13 +20,6 @@ void append_lines(MatOutput& out, const std::vector<Frf>& frfs, std::size_t poin
     }
     out.append(line);
   }
-}
-
-void write_frf_mat_sensors(MatOutput& out, const FrfRecord& record) {
-  const auto angle_deg = sensor_numbers(record.accel, &SignalInfo::angle_rad, kRadian_deg);
-  const auto position_m = sensor_numbers(record.accel, &SignalInfo::position_m);
-  if (!angle_deg.empty()) out.numbers("angle_deg", angle_deg);
-  if (!position_m.empty()) out.numbers("position_m", position_m);
 }
 
 }  // namespace
@@ -59,7 +51,7 @@ void write_frf_record_mat(const std::string& path, const FrfRecord& record, FrfK
   if (has_coherence) out.begin("coherence", shape);
   if (has_coherence) append(out, [](const Frf& frf, std::size_t k) { return frf.coherence[k]; });
   out.numbers("point", std::vector<double>(numbers.begin(), numbers.end()));
-  write_frf_mat_sensors(out, record);
+  write_mat_sensors(out, record.accel);
   if (record.decay_per_s > 0) out.number("decay_per_s", record.decay_per_s);
   out.text("kind", name_of(kind));
   out.text("unit", unit_of(kind));

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "acquire/formats/mat/mat_output.hpp"
-#include "acquire/record/sensor_numbers.hpp"
+#include "acquire/formats/mat/mat_sensors.hpp"
 #include "acquire/record/trace_faces.hpp"
 #include "acquire/record/writable_record.hpp"
 #include "core/units.hpp"
@@ -26,14 +26,6 @@ void write_interleaved(MatOutput& out, std::size_t series_count, std::size_t sam
     }
     out.append(std::span<const double>(columns).first(count * series_count));
   }
-}
-
-// Writes the angles and positions of the sensors, NaN where unknown; nothing when all are unknown.
-void write_mat_sensors(MatOutput& out, const Record& record) {
-  const auto angle_deg = sensor_numbers(record.accel, &SignalInfo::angle_rad, kRadian_deg);
-  const auto position_m = sensor_numbers(record.accel, &SignalInfo::position_m);
-  if (!angle_deg.empty()) out.numbers("angle_deg", angle_deg);
-  if (!position_m.empty()) out.numbers("position_m", position_m);
 }
 
 void write_row_number(MatOutput& out, const Record& record, const char* name, int RowInfo::*number) {
@@ -90,7 +82,7 @@ void write_mat(const std::string& path, const Record& record, bool force) {
     record.read_accel_mps2(series % rows, series / rows, first, part);
   });
   out.text("accel_unit", si_name(record.accel.front().measures));
-  write_mat_sensors(out, record);
+  write_mat_sensors(out, record.accel);
   write_row_number(out, record, "point", &RowInfo::point);
   write_row_number(out, record, "run", &RowInfo::run);
   if (record.continuous != (rows == 1)) out.number("continuous", record.continuous ? 1 : 0);

@@ -25,7 +25,7 @@ const animation = (figure, kind) => {
     button.addEventListener("click", () => { running = !running; start(); });
     for (const input of sliders) input.addEventListener("input", () => draw(phase));
     // Paper shows the largest deflection.
-    resizable.push((width, paper) => {
+    resizable.push((_widthOf, paper) => {
       onPaper = paper === true;
       draw(onPaper ? largest : phase);
     });

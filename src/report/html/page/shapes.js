@@ -96,7 +96,7 @@ const shapePlots = () => {
     addElement("figcaption", figure, "Grey: at rest. Colour: displacement along the normal of the structure, + outwards or up, or its phase, as chosen above. Signs, while paused: direction of the displacement. Arrows: sensors. Exaggerated; phase 0° is the largest deflection.");
     addElement("p", figure, "Drag to rotate, shift-drag to move; click a drawing, then zoom with the wheel or two fingers. Keys: arrows, shift with arrows, +, −, 0, space.").className = "hint";
     // Paper shows the largest deflection.
-    resizable.push((width, paper) => {
+    resizable.push((widthOf, paper) => {
       if (paper) {
         state.before = { running: state.running, phase: state.phase, chosen: [...state.chosen] };
         Object.assign(state, { running: false, phase: 0 });
@@ -105,7 +105,7 @@ const shapePlots = () => {
         Object.assign(state, state.before, { before: undefined });
         run();
       }
-      layout(width(figure));
+      layout(widthOf(figure));
     });
     darkScheme.addEventListener("change", draw);
     layout(widthOf(figure));

@@ -78,7 +78,7 @@ const stabilisationPlot = () => {
       }
     });
     plot(figure, 300, "frequency, Hz", "model order", xs, [{ values: ys, stroke: "transparent", paths: () => null }], { hooks: { draw: [dots] } });
-    addElement("figcaption", figure, "Grey: the strongest FRF at each frequency. Vertical lines: the modes; ringed: their stable poles of the highest order."
+    addElement("figcaption", figure, "Grey: at each frequency, the strongest of the FRFs that this page plots. Vertical lines: the modes; ringed: their stable poles of the highest order."
       + (diagram.unmodelled_hz ? " Dashed: poles that are stable in the diagram of a section of the band and that no mode describes." : ""));
   }
 };
