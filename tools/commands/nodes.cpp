@@ -166,8 +166,8 @@ void add_nodes(CommandLine& line) {
       "Locates the nodes of each bending mode along the barrel, with standard deviations, from hits at several "
       "positions. Each point, or each file, is one position. A node lies where the response of the mode changes sign.");
   command.example("percuss nodes scan.h5 --positions 3:0.5:9in --band 60:1500",
-                  "Use hits every quarter of an inch, from 3 to 9 in from the end of the barrel");
-  command.example("percuss nodes scan.h5 --positions 76.2:6.35:228.6mm --band 60:1500 -o nodes.svg",
+                  "Use hits every half inch, from 3 to 9 in from the end of the barrel");
+  command.example("percuss nodes scan.h5 --positions 76.2:12.7:228.6mm --band 60:1500 -o nodes.svg",
                   "State positions in millimetres, and draw the curves");
   command.example("percuss nodes scan.h5 --band 60:1500", "Take the positions from the geometry of the record");
   command
