@@ -31,5 +31,6 @@ if(PERCUSS_HDF5_ARCHIVES_LINK)
 else()
   target_link_libraries(percuss_hdf5 INTERFACE ${PERCUSS_HDF5_SHARED})
 endif()
-# The libraries that a layer links with. An installation uses the shared libraries.
+# The libraries that a layer links with. Programs that link an installed percuss use the
+# shared libraries.
 set(PERCUSS_HDF5 $<BUILD_INTERFACE:percuss_hdf5> $<INSTALL_INTERFACE:HDF5::HDF5> $<INSTALL_INTERFACE:PkgConfig::MATIO>)

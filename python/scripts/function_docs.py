@@ -111,7 +111,7 @@ def in_keywords(text: str, command: Command) -> str:
 
 def _sentence(text: str) -> str:
     text = " ".join(text.split())
-    return text if not text or text[-1] in ".…)" and text.endswith((".", "…")) else text + "."
+    return text if not text or text.endswith((".", "…")) else text + "."
 
 
 def _filled(text: str, indent: str = "") -> list[str]:

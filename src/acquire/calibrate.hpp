@@ -22,7 +22,7 @@ struct CalibrationHit {
   double peak_accel_mps2 = 0;
   std::size_t samples = 0;  // the compared samples: the force exceeds half of its peak
   double scale = 0;         // N per present unit
-  double scale_std = 0;     // from the residuals within the hit
+  double scale_std = 0;     // from the residuals within the hit; of a single compared sample, from the noise before it
   double ringing = 0;       // rms of the acceleration after the pulse, over its peak
   bool used = false;
 };

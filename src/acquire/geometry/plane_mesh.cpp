@@ -89,9 +89,10 @@ std::vector<Triangle> without_long_outline(PlanePoints points, std::vector<Trian
 std::optional<StructureMesh> grid_mesh(PlanePoints points) {
   if (points.size() < 4) return std::nullopt;
   const std::vector<std::size_t> column = grid_lines_along(points, 0), row = grid_lines_along(points, 1);
-  std::map<Edge, std::size_t> at;  // the point in each column and row
+  using GridPlace = std::array<std::size_t, 2>;
+  std::map<GridPlace, std::size_t> at;  // the point in each column and row
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!at.emplace(Edge{column[i], row[i]}, i).second) return std::nullopt;
+    if (!at.emplace(GridPlace{column[i], row[i]}, i).second) return std::nullopt;
   }
   const std::size_t columns = *std::max_element(column.begin(), column.end()) + 1;
   const std::size_t rows = *std::max_element(row.begin(), row.end()) + 1;

@@ -26,8 +26,8 @@ struct CaptureOptions {
 /// errors  InputError: a channel that the device does not have
 StreamFormat stream_format(const DeviceFormat& device, const std::vector<std::size_t>& channels);
 
-/// The set-up that the device has applied, for these channels; their names are their numbers in the stream, from 1.
-/// Empty: none.
+/// The set-up that the device has applied, for these channels; their names are their numbers at the device, from 1
+/// (StreamFormat::numbers). Empty: none.
 /// errors  InputError: as stream_format
 std::vector<ChannelSetup> stream_setup(const DeviceFormat& device, const std::vector<std::size_t>& channels);
 

@@ -29,7 +29,7 @@ class UffStruckPoints {
   /// `struck`: node and unsigned direction of each force.
   UffStruckPoints(const std::set<std::pair<int, int>>& struck, const UffContents& contents);
 
-  /// The point of a force, without the offset of the nodes.
+  /// The point of a force, numbered as the nodes: the caller subtracts UffAnnotation::node_offset.
   std::int64_t point(const UffDof& struck) const;
   bool several_per_node() const { return step_ > 0; }
   /// "a node was struck in several directions, each of which is a point: point n is node n in x, 100 + n is node n in

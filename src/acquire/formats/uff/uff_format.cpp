@@ -26,7 +26,8 @@ Measurement open_uff_file(const FormatInput& input, const FrfReadOptions& option
   return open_uff(file, std::move(contents), options.read);
 }
 
-// The parts of the drawing that the nodes, lines and elements of a file lose: of a Record or an FrfRecord.
+// Adds the parts of the drawing that a universal file cannot hold as nodes, trace lines or elements. AnyRecord is
+// Record or FrfRecord.
 template <class AnyRecord>
 void add_lost_drawing(const AnyRecord& record, std::vector<std::string>& losses) {
   if (!record.geometry.empty() && record.geometry.front().size() != 3)
