@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -23,13 +24,15 @@ using testing::StartsWith;
 
 constexpr double kEighthTurn_rad = std::numbers::pi / 4;
 
+constexpr std::array kFreq_Hz{171.0, 580.0, 1190.0, 1840.0, 2350.0};
+constexpr double kDamping = 0.006;
+
 // A bat with bending in oblique planes, so that both sensors see every mode.
 synth::SynthSpec oblique_bat() {
   std::vector<synth::SynthMode> modes;
-  const std::vector<double> freq_Hz{171, 580, 1190, 1840, 2350};
-  for (std::size_t m = 0; m < freq_Hz.size(); ++m) {
-    modes.push_back({.freq_Hz = freq_Hz[m],
-                     .damping_ratio = 0.006,
+  for (std::size_t m = 0; m < kFreq_Hz.size(); ++m) {
+    modes.push_back({.freq_Hz = kFreq_Hz.at(m),
+                     .damping_ratio = kDamping,
                      .order = static_cast<int>(m) + 1,
                      .angle_rad = kEighthTurn_rad + 0.3 * static_cast<double>(m % 3) - 0.3,
                      .amplitude_per_sqrt_kg = 2});
@@ -90,8 +93,10 @@ TEST(ChannelFindings, TakeADelayOut) {
     ASSERT_EQ(analysis.modes().size(), expected.modes().size()) << second;
     for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
       const identify::Mode &got = analysis.modes()[m], &want = expected.modes()[m];
-      EXPECT_NEAR(got.pole.freq_Hz, want.pole.freq_Hz, 2 * want.freq_std_Hz) << second;
-      EXPECT_NEAR(got.pole.damping_ratio, want.pole.damping_ratio, 2 * want.damping_std) << second;
+      // Against the truth: whether a mode is fitted alone or with all others may differ between the two analyses.
+      EXPECT_NEAR(got.pole.freq_Hz, kFreq_Hz.at(m), 3 * got.freq_std_Hz) << second;
+      EXPECT_NEAR(got.pole.damping_ratio, kDamping, 3 * got.damping_std) << second;
+      EXPECT_LT(got.freq_std_Hz, 2 * want.freq_std_Hz) << second;
       EXPECT_LT(std::abs(std::arg(got.residues[1].value / want.residues[1].value)), 0.02) << second;
     }
     EXPECT_THAT(warnings_of(analysis), Contains(StartsWith("skew: delays were taken out")));
