@@ -32,7 +32,8 @@ bool memory_may_run_out() {
 }
 
 void check_available(std::size_t bytes) {
-  // glibc keeps the freed block on the heap of this thread, from which the library then allocates.
+  // In the tool, glibc keeps a freed block below 32 MiB (malloc_options.cpp) on the heap of this thread, from which the
+  // library then allocates. A larger block may return to the system.
   void* volatile const block = std::malloc(bytes);  // volatile: otherwise the compiler removes the call
   if (block == nullptr) throw std::bad_alloc();
   std::free(block);

@@ -23,7 +23,7 @@ constexpr double kMaxResidualEnergy = 1.5;       // around a mode, over its expe
 constexpr double kCheckedWidths = 5;             // half-power bandwidths on either side of a checked pole
 constexpr double kMinCheckedLines = 10;          // on either side
 constexpr std::size_t kMinFlops = 1'000'000;     // operations per task, a lower limit
-constexpr std::size_t kFlopsPerLine = 60;        // operations of a truncated decay or of the gain errors
+constexpr std::size_t kFlopsPerLine = 60;        // operations of the gain errors or of the residual energy
 
 double max_remaining_amplitude(const FrfDataset& set, const std::vector<FittedMode>& modes) {
   double most = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/statistics.hpp"
 #include "synth/random_stream.hpp"
 
 namespace percuss::synth {
@@ -11,12 +12,6 @@ namespace {
 
 constexpr std::uint64_t kForceNoiseStream = 2, kAccelNoiseStream = 3;
 constexpr double kHeadroom = 1.5;  // automatic full scale / largest value
-
-double largest(std::span<const double> values) {
-  double out = 0;
-  for (const double v : values) out = std::max(out, std::abs(v));
-  return out;
-}
 
 void clip_and_round(double limit, double step, std::span<double> values) {
   for (double& v : values) {
@@ -43,9 +38,9 @@ std::pair<double, double> limit_and_step(std::optional<double> clip, std::option
 
 RecorderRange recorder_range(const SynthRecorder& recorder, const SynthSamples& clean) {
   double force = 0, accel = 0;
-  for (const auto& row : clean.force_N) force = std::max(force, largest(row));
+  for (const auto& row : clean.force_N) force = std::max(force, extremes_of(row).max_distance_from(0));
   for (const auto& row : clean.accel_mps2) {
-    for (const auto& channel : row) accel = std::max(accel, largest(channel));
+    for (const auto& channel : row) accel = std::max(accel, extremes_of(channel).max_distance_from(0));
   }
   const auto [force_limit, force_step] = limit_and_step(recorder.force_clip_N, recorder.force_range_N, recorder.bits,
                                                         force + std::abs(recorder.force_bias_N));

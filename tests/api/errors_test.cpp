@@ -56,8 +56,8 @@ TEST(OptionFields, AreTheIdentifierAndItsUnit) {
   for (const auto& [id, field] : expected) EXPECT_EQ(option_field(id), field);
 }
 
-// Options without a C++ field. They concern the terminal, the output files and their title block, or documents that
-// json() does not contain.
+// Options that option_field() returns unchanged. They concern the terminal, the output files and their title block
+// (PageTitle in C++), or documents that json() does not contain.
 const std::set<std::string> kOfTheCommandLine{
     "bat",  "bat_id",     "beam", "compare", "customer", "example", "explain", "frf",   "help",     "hits",  "json",
     "logo", "modes_file", "note", "only",    "operator", "output",  "paper",   "quiet", "specimen", "title", "trace"};

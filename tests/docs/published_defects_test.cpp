@@ -42,17 +42,6 @@ pipeline::Analysis analysis_of(const synth::SynthSpec& spec, pipeline::AnalysisO
   return {synth::synthesise(spec).record, std::move(options)};
 }
 
-// The exact FRF at s. A windowed FRF at ω equals it at s = jω + decay.
-Complex exact_at(const synth::Truth& truth, Complex s, std::size_t channel) {
-  Complex h = truth.rigid_per_kg[0][channel];
-  for (std::size_t m = 0; m < truth.spec.modes.size(); ++m) {
-    const synth::SynthMode& mode = truth.spec.modes[m];
-    h += truth.residue_per_kg[0][channel][m] *
-         test::mode_accelerance({.freq_Hz = mode.freq_Hz, .damping_ratio = mode.damping_ratio}, s);
-  }
-  return h;
-}
-
 TEST(PublishedDefects, AnExponentialWindowDoesNotScaleTheFrf) {
   // A factor N/Σw would make the FRF 4.65 times too large. The mode has decayed after a second, so the windowed FRF is
   // the exact FRF at jω + decay, except for the force outside the gate.
@@ -65,7 +54,7 @@ TEST(PublishedDefects, AnExponentialWindowDoesNotScaleTheFrf) {
   for (const acquire::PointFrf& frf : analysis.frfs()) {
     for (std::size_t k = 0; k < analysis.lines().count; k += 10) {
       const Complex s(analysis.window_decay_per_s(), kTwoPi * analysis.lines().freq_Hz(k));
-      ASSERT_LE(std::abs(frf.frf.value[k] / exact_at(truth, s, frf.channel) - 1.0), kGate) << k;
+      ASSERT_LE(std::abs(frf.frf.value[k] / test::exact_at(truth, s, frf.channel) - 1.0), kGate) << k;
     }
   }
 }
@@ -122,7 +111,7 @@ TEST(PublishedDefects, TheFrfIsNotConjugated) {
     const std::size_t peak = 200 - analysis.lines().first;
     for (const acquire::PointFrf& frf : analysis.frfs()) {
       EXPECT_GT(frf.frf.value[peak].imag(), 5 * std::abs(frf.frf.value[peak].real()));
-      const Complex exact = exact_at(truth, {0, kTwoPi * 200}, frf.channel);
+      const Complex exact = test::exact_at(truth, {0, kTwoPi * 200}, frf.channel);
       EXPECT_LE(std::abs(frf.frf.value[peak] / exact - 1.0), kGate) << name_of(estimator);
     }
   }

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "frf/windows.hpp"
+#include "support/magnitude.hpp"
+#include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
 
 namespace percuss::frf::spectra_test {
@@ -43,13 +45,6 @@ acquire::Hit pulse_hit() {
   return hit;
 }
 
-double difference(const std::vector<Complex>& a, const std::vector<Complex>& b) {
-  EXPECT_EQ(a.size(), b.size());
-  double out = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) out = std::max(out, std::abs(a[k] - b[k]));
-  return out;
-}
-
 TEST(ForceSpectrum, IsTheTransformOfThePulseInItsPlace) {
   const LineRange lines{.fs_Hz = 1000, .samples = 64, .first = 3, .count = 20};
   const auto spectrum = force_spectrum(force_block(pulse_hit(), 1000, 0), lines);
@@ -59,7 +54,7 @@ TEST(ForceSpectrum, IsTheTransformOfThePulseInItsPlace) {
     exact[k] = std::polar(1.0, -10 * angle) + std::polar(4.0, -11 * angle) + std::polar(2.0, -12 * angle);
   }
   constexpr double kRounding = 3e-14;  // of a sum of magnitudes 7, with phases up to 30 rad
-  EXPECT_LE(difference(spectrum, exact), kRounding);
+  EXPECT_LE(test::largest_difference(spectrum, exact), kRounding);
 }
 
 TEST(ForceSpectrum, CutsThePulseWithTheBlock) {
@@ -99,17 +94,6 @@ TEST(AccelSpectrum, KeepsTheMeanAndTheScale) {
   for (std::size_t k = 1; k < 33; ++k) ASSERT_LE(std::abs(spectrum[k]), 64 * 2.5 * 1e-15);  // rounding
 }
 
-// Equation (1) of synth::Truth at any s.
-Complex accelerance_at(const synth::Truth& truth, Complex s) {
-  Complex sum = truth.rigid_per_kg[0][0];
-  for (std::size_t r = 0; r < truth.spec.modes.size(); ++r) {
-    const double omega = kTwoPi * truth.spec.modes[r].freq_Hz;
-    const double zeta = truth.spec.modes[r].damping_ratio;
-    sum += truth.residue_per_kg[0][0][r] * s * s / (s * s + 2 * zeta * omega * s + omega * omega);
-  }
-  return sum;
-}
-
 synth::SyntheticTest ringing_test(std::size_t samples) {
   synth::SynthSpec spec;
   spec.samples = samples;
@@ -134,9 +118,9 @@ TEST(ExponentialWindow, OnBothChannelsShowsTheExactFrfAtJOmegaPlusItsDecay) {
   double error = 0, size = 0, unshifted = 0;
   for (std::size_t k = 0; k < lines.count; ++k) {
     const Complex omega(0, kTwoPi * lines.freq_Hz(k));
-    const Complex exact = accelerance_at(test.truth, omega + decay);
+    const Complex exact = test::exact_at(test.truth, omega + decay, 0);
     error = std::max(error, std::abs(response[k] / force[k] - exact));
-    unshifted = std::max(unshifted, std::abs(response[k] / force[k] - accelerance_at(test.truth, omega)));
+    unshifted = std::max(unshifted, std::abs(response[k] / force[k] - test::exact_at(test.truth, omega, 0)));
     size = std::max(size, std::abs(exact));
   }
   constexpr double kTail = 1e-9;  // the truncated end, 1e-11 of the start, with a margin of 100

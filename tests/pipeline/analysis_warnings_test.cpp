@@ -23,20 +23,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-synth::SynthSpec bat(double duration_s = 1) {
-  synth::SynthSpec spec =
-      test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7},
-                      {.freq_Hz = 1900,
-                       .damping_ratio = 0.01,
-                       .type = synth::SynthModeType::hoop,
-                       .order = 1,
-                       .amplitude_per_sqrt_kg = 2.4}},
-                     duration_s);
-  spec.hits = 3;
-  spec.noise = {.force = 1e-4, .accel = 1e-4};
-  return spec;
-}
-
 AnalysisOptions band(double low_Hz = 60, double high_Hz = 3200) {
   return {.band_Hz = std::pair{low_Hz, high_Hz}, .threads = 1};
 }
@@ -57,16 +43,19 @@ acquire::Record with_dead(acquire::Record record, std::size_t dead_channel, doub
       });
 }
 
-TEST(Warnings, AreNoneForAGoodTest) { EXPECT_THAT(warnings_of(synth::synthesise(bat()).record), IsEmpty()); }
+TEST(Warnings, AreNoneForAGoodTest) {
+  EXPECT_THAT(warnings_of(synth::synthesise(test::bending_and_hoop_spec()).record), IsEmpty());
+}
 
 TEST(Warnings, RepeatTheNotesOfTheReader) {
-  acquire::Record record = synth::synthesise(bat()).record;
+  acquire::Record record = synth::synthesise(test::bending_and_hoop_spec()).record;
   record.notes = {"the unit of x is not stated"};
   EXPECT_THAT(warnings_of(record), Contains("input: the unit of x is not stated"));
 }
 
 TEST(Warnings, NameTheOptionOfTheirRemedy) {
-  const acquire::Record record = with_dead(synth::synthesise(bat()).record, 1, 0, [](std::size_t) { return true; });
+  const acquire::Record record =
+      with_dead(synth::synthesise(test::bending_and_hoop_spec()).record, 1, 0, [](std::size_t) { return true; });
   const Analysis analysis(record, band());
   analysis.hits();
   const std::vector<Warning> warnings = analysis.warnings();
@@ -75,14 +64,14 @@ TEST(Warnings, NameTheOptionOfTheirRemedy) {
 }
 
 TEST(Warnings, CountTheHitsNotUsed) {
-  synth::SynthSpec spec = bat();
+  synth::SynthSpec spec = test::bending_and_hoop_spec();
   spec.faults = {{.hit = 1, .kind = synth::SynthFaultKind::missing}};
   EXPECT_THAT(warnings_of(synth::synthesise(spec).record), Contains(HasSubstr("rejected_hits: 1 of 3 hits")));
 }
 
 // A broken cable: the second channel holds noise alone.
 TEST(Warnings, NameAChannelThatShowsNoMode) {
-  synth::SynthSpec spec = bat();
+  synth::SynthSpec spec = test::bending_and_hoop_spec();
   spec.modes.push_back({.freq_Hz = 700, .damping_ratio = 0.01, .order = 2, .amplitude_per_sqrt_kg = 1.7});
   const acquire::Record good = synth::synthesise(spec).record;
   const acquire::Record record =
@@ -114,7 +103,7 @@ TEST(Warnings, NameAPointAtWhichASensorShowsNothing) {
 
 // The decay of noise ends at once, which leaves few samples of the row.
 TEST(Warnings, NameAChannelThatDoesNotRespondToASingleHit) {
-  synth::SynthSpec spec = bat();
+  synth::SynthSpec spec = test::bending_and_hoop_spec();
   spec.hits = 1;
   const acquire::Record record = test::with_changed_accel(
       synth::synthesise(spec).record, [](std::size_t row, std::size_t channel, std::vector<double>& x) {
@@ -148,7 +137,7 @@ TEST(Warnings, BeginWithAForceInAnotherUnit) {
 TEST(Warnings, NameADeadChannel) {
   for (const double value : {0.0, 2.5}) {
     const acquire::Record record =
-        with_dead(synth::synthesise(bat()).record, 1, value, [](std::size_t) { return true; });
+        with_dead(synth::synthesise(test::bending_and_hoop_spec()).record, 1, value, [](std::size_t) { return true; });
     const auto warnings = warnings_of(record);
     EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("dead_channel: accel 2 "), HasSubstr("every accepted hit"))));
     EXPECT_THAT(warnings, Not(Contains(HasSubstr("accel 1 "))));
@@ -156,7 +145,7 @@ TEST(Warnings, NameADeadChannel) {
 }
 
 TEST(Warnings, NameCoarseQuantisation) {
-  synth::SynthSpec spec = bat();
+  synth::SynthSpec spec = test::bending_and_hoop_spec();
   spec.noise = {};
   spec.recorder.bits = 10;
   EXPECT_THAT(warnings_of(synth::synthesise(spec).record),
@@ -166,7 +155,7 @@ TEST(Warnings, NameCoarseQuantisation) {
 }
 
 TEST(Warnings, NameAPretriggerShorterThanTheFiltersRinging) {
-  synth::SynthSpec spec = bat();
+  synth::SynthSpec spec = test::bending_and_hoop_spec();
   spec.onset_spread_s = 0;
   spec.pretrigger_s = 20 / spec.fs_Hz;
   EXPECT_THAT(warnings_of(synth::synthesise(spec).record),
@@ -176,33 +165,34 @@ TEST(Warnings, NameAPretriggerShorterThanTheFiltersRinging) {
 }
 
 TEST(Warnings, NameTheHitsInWhichAChannelIsDead) {
-  const acquire::Record record =
-      with_dead(synth::synthesise(bat()).record, 0, 0, [](std::size_t row) { return row != 1; });
+  const acquire::Record record = with_dead(synth::synthesise(test::bending_and_hoop_spec()).record, 0, 0,
+                                           [](std::size_t row) { return row != 1; });
   EXPECT_THAT(warnings_of(record), Contains(AllOf(HasSubstr("dead_channel: accel 1 "), HasSubstr("hits 1, 3"))));
 }
 
 TEST(Warnings, DoNotMentionChannelsThatWereNotRead) {
-  const acquire::Record record = with_dead(synth::synthesise(bat()).record, 1, 0, [](std::size_t) { return true; });
+  const acquire::Record record =
+      with_dead(synth::synthesise(test::bending_and_hoop_spec()).record, 1, 0, [](std::size_t) { return true; });
   const Analysis analysis(record, band());
   analysis.force_hits();
   EXPECT_TRUE(analysis.warnings().empty());
 }
 
 TEST(Warnings, NameANegativeForce) {
-  synth::SynthSpec spec = bat();
+  synth::SynthSpec spec = test::bending_and_hoop_spec();
   for (std::size_t hit = 0; hit < spec.hits; ++hit)
     spec.faults.push_back({.hit = hit, .kind = synth::SynthFaultKind::reversed});
   EXPECT_THAT(warnings_of(synth::synthesise(spec).record), Contains(HasSubstr("polarity: ")));
 }
 
 TEST(Warnings, NameAForceThatDoesNotReachTheEndOfTheBand) {
-  synth::SynthSpec spec = bat();
+  synth::SynthSpec spec = test::bending_and_hoop_spec();
   spec.pulse.width_s = 1e-3;
   EXPECT_THAT(warnings_of(synth::synthesise(spec).record), Contains(HasSubstr("low_bandwidth: ")));
 }
 
 TEST(Warnings, NameModesThatRingWhenTheRecordEnds) {
-  EXPECT_THAT(warnings_of(synth::synthesise(bat(0.15)).record),
+  EXPECT_THAT(warnings_of(synth::synthesise(test::bending_and_hoop_spec(0.15)).record),
               Contains(AllOf(HasSubstr("truncated_decay: "), HasSubstr("200.0 Hz"), Not(HasSubstr("1900")))));
 }
 
@@ -210,12 +200,12 @@ TEST(Warnings, NameNoPeaksWhenTheUserChoseTheModes) {
   AnalysisOptions by_frequency = band(), by_number = band();
   by_frequency.modes.start_Hz = {200};
   by_number.modes.modes = 1;
-  EXPECT_THAT(warnings_of(synth::synthesise(bat()).record, by_frequency), IsEmpty());
-  EXPECT_THAT(warnings_of(synth::synthesise(bat()).record, by_number), IsEmpty());
+  EXPECT_THAT(warnings_of(synth::synthesise(test::bending_and_hoop_spec()).record, by_frequency), IsEmpty());
+  EXPECT_THAT(warnings_of(synth::synthesise(test::bending_and_hoop_spec()).record, by_number), IsEmpty());
 }
 
 TEST(Warnings, StateTheSeparationOfVeryClosePairs) {
-  synth::SynthSpec spec = bat(40);
+  synth::SynthSpec spec = test::bending_and_hoop_spec(40);
   spec.modes = {spec.modes[1], spec.modes[1]};
   spec.modes[0].freq_Hz = 500;
   spec.modes[1].freq_Hz = 500.04;

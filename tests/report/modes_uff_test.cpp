@@ -202,7 +202,8 @@ TEST_F(StatedDirections, MoveTheNodesOfARovingTriaxialSensor) {
   }
 }
 
-// Sensors without an angle, whose directions the set-up states; also where a process of its own reads the file.
+// Sensors without an angle, whose directions the set-up states. A sandboxed process reads the HDF5 file and passes them
+// on.
 TEST_F(StatedDirections, AreThoseOfTheSetUp) {
   const test::SmallRecord one = test::small_record();
   std::vector<double> half;

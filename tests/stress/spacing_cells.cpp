@@ -7,7 +7,7 @@ namespace {
 
 struct Pair {
   double freq_Hz, damping_ratio, bandwidths;
-  bool alike = false;  // equal ratios of residues, as of two hoop modes at one point: only the poles differ
+  bool alike = false;  // equal ratios of residues, as of two hoop modes at one point: only the poles tell them apart
 };
 
 synth::SynthSpec pair_of(const Pair& pair) {

@@ -75,6 +75,16 @@ Complex mode_accelerance(const identify::Pole& pole, Complex s) {
   return s * s / (s * s + 2 * pole.damping_ratio * omega * s + omega * omega);
 }
 
+Complex exact_at(const synth::Truth& truth, Complex s, std::size_t channel) {
+  Complex h = truth.rigid_per_kg[0][channel];
+  for (std::size_t m = 0; m < truth.spec.modes.size(); ++m) {
+    const synth::SynthMode& mode = truth.spec.modes[m];
+    h += truth.residue_per_kg[0][channel][m] *
+         mode_accelerance({.freq_Hz = mode.freq_Hz, .damping_ratio = mode.damping_ratio}, s);
+  }
+  return h;
+}
+
 void add_mode(identify::FrfDataset& set, std::size_t channel, const identify::Pole& pole, Complex residue) {
   for (std::size_t k = 0; k < set.lines.count; ++k)
     set.channels[channel].frf[k] += residue * mode_accelerance(pole, Complex(0, kTwoPi * set.lines.freq_Hz(k)));
@@ -139,6 +149,18 @@ synth::SynthSpec bat_spec(std::vector<synth::SynthMode> modes, double duration_s
   spec.points = {{.angle_rad = 0.35}};
   spec.pretrigger_s = 0.02;
   spec.hits = 3;
+  return spec;
+}
+
+synth::SynthSpec bending_and_hoop_spec(double duration_s) {
+  synth::SynthSpec spec = bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7},
+                                    {.freq_Hz = 1900,
+                                     .damping_ratio = 0.01,
+                                     .type = synth::SynthModeType::hoop,
+                                     .order = 1,
+                                     .amplitude_per_sqrt_kg = 2.4}},
+                                   duration_s);
+  spec.noise = {.force = 1e-4, .accel = 1e-4};
   return spec;
 }
 

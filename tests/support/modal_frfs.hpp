@@ -5,6 +5,7 @@
 #include "identify/fit/local_fit.hpp"
 #include "identify/model/mode.hpp"
 #include "synth/spec.hpp"
+#include "synth/synthesise.hpp"
 
 namespace percuss::test {
 
@@ -22,6 +23,9 @@ frf::Spectrum make_spectrum(std::vector<Complex> lines);
 
 /// The FRF of one mode, by its definition.
 Complex mode_accelerance(const identify::Pole& pole, Complex s);
+
+/// The exact FRF of point 0 and a channel at s. A windowed FRF at ω equals it at s = jω + decay.
+Complex exact_at(const synth::Truth& truth, Complex s, std::size_t channel);
 
 /// Adds the FRF of a mode to set.channels[channel].
 void add_mode(identify::FrfDataset& set, std::size_t channel, const identify::Pole& pole, Complex residue);
@@ -49,6 +53,9 @@ void expect_modes_near(const std::vector<identify::Mode>& found, const std::vect
 
 /// A bat test without noise: these modes, rows of this many seconds, accelerometers at 0° and 90°.
 synth::SynthSpec bat_spec(std::vector<synth::SynthMode> modes, double duration_s);
+
+/// A bat test with little noise: a bending mode at 200 Hz and a hoop mode at 1900 Hz.
+synth::SynthSpec bending_and_hoop_spec(double duration_s = 1);
 
 /// A bat test with rows of 0.35 s: the mode at 120 Hz still has more than a third of its amplitude at the end.
 synth::SynthSpec truncated_bat_spec();

@@ -150,8 +150,10 @@ def survey(
         Choose what moved from point to point (default: as the file states, else hammer).
     driving_point : (point, channel) or a list of them, optional
         Name driving points: a point struck beside the sensor of a channel, by the point's number
-        and the channel's, which counts from 0 as in JSON; 1:0 is point 1 and the first channel
-        (default: points at the position of a sensor).
+        and the channel's, which counts from 0 as in JSON; 1:0 is point 1 and the first channel.
+        Where each file is a point, POINT is the file's name (P7:0) or a number: the one in the
+        file's name, else that of a geometry that counts from 1, else that of the record (default:
+        points at the position of a sensor).
     picture : {'shapes', 'indicator', 'magnitude', 'phase', 'coherence', 'force', 'response', 'spectrum', 'decay', 'stabilisation', 'movement'} or a list of them, optional
         Draw these pictures in a .svg file.
     hits : bool, optional

@@ -72,7 +72,8 @@ void WindowedFit::place_window(FitGroup& group) const {
     low = std::min(low, pole.freq_Hz - half);
     high = std::max(high, pole.freq_Hz + half);
   }
-  // At least twice as many lines as complex unknowns, also at the band's edge.
+  // At least two lines more than twice the complex residues and polynomial coefficients of one FRF, also at the band's
+  // edge.
   const auto least = 2 * (group.fit.poles.size() + LocalFitOptions{}.residual_terms) + 2;
   group.first = set_.lines.nearest(low);
   std::size_t last = set_.lines.nearest(high);

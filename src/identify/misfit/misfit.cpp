@@ -106,8 +106,8 @@ VectorXd smooth_misfit_std(const VariableProjection& projection, const Projected
   const MatrixXd covariance = inverse * score_covariance(projection, state, noise, correlation) * inverse;
   // The fit follows a part of a smooth misfit. This part grows as fewer lines are independent.
   const double independent = static_cast<double>(lines) / correlation.lines;
-  const double freedom = independent / std::max(independent - used, kMinIndependent * independent);
-  const double factor = freedom * common_to_channels(projection, state, noise);
+  const double freedom_correction = independent / std::max(independent - used, kMinIndependent * independent);
+  const double factor = freedom_correction * common_to_channels(projection, state, noise);
   return (factor * covariance.diagonal()).cwiseMax(0.0).cwiseSqrt();
 }
 

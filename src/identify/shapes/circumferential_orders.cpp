@@ -19,6 +19,8 @@ struct Energy {
   double value = 0, variance = 0;
 };
 
+bool has_less_energy(const Energy& a, const Energy& b) { return a.value < b.value; }
+
 // The energy of order n, summed over the points, without the noise's energy.
 Energy energy_of(const std::vector<CircumferentialFit>& fits, int n) {
   Energy energy;
@@ -49,8 +51,7 @@ double total_of(const std::vector<CircumferentialFit>& fits) {
 // The order with the largest energy, and its probability.
 void choose_order(TubeShape& shape, const std::vector<Energy>& energies, double rest, double total,
                   std::size_t angles) {
-  const auto by_value = [](const Energy& a, const Energy& b) { return a.value < b.value; };
-  const auto best = std::max_element(energies.begin(), energies.end(), by_value);
+  const auto best = std::max_element(energies.begin(), energies.end(), has_less_energy);
   shape.order = static_cast<int>(best - energies.begin());
   double rival = rest, rival_variance = 0;
   for (auto it = energies.begin(); it != energies.end(); ++it) {
@@ -123,8 +124,7 @@ std::optional<TubeShape> tube_shape(const ModeShape& shape, const TubeGeometry& 
   std::vector<Energy> energies;
   for (int n = 0; n <= fits.highest; ++n) energies.push_back(energy_of(fits.rings, n));
   TubeShape out;
-  const auto by_value = [](const Energy& a, const Energy& b) { return a.value < b.value; };
-  const double alone = total - std::max_element(energies.begin(), energies.end(), by_value)->value;
+  const double alone = total - std::max_element(energies.begin(), energies.end(), has_less_energy)->value;
   choose_order(out, energies, fits.arc ? alone : unexplained(fits.rings), total, fits.angles);
   find_axial(out, fits.rings);
   count_sign_changes(out);

@@ -31,7 +31,8 @@ bool may_ring_at_hits(const std::vector<AnalysedHit>& hits);
 std::vector<EarlierRinging> find_earlier_ringing(const acquire::Record& record, const identify::FrfDataset& set,
                                                  const TestSpectra& spectra, const std::vector<identify::Mode>& modes);
 
-/// The responses without this ringing, which must not be empty. The result refers to `measured`, which must outlive it.
+/// The responses without the ringing in the list `ringing`, which must not be empty. The result refers to `measured`,
+/// which must outlive it.
 HitResponses without_ringing(const HitResponses& measured, const std::vector<EarlierRinging>& ringing,
                              const std::vector<AnalysedHit>& hits, const TransformOptions& options);
 

@@ -11,7 +11,8 @@
 namespace percuss::acquire::flat_top_test {
 
 constexpr double kFs_Hz = 25600;
-constexpr std::size_t kSamples = 6000, kFine = 16, kTaps = 20;
+constexpr std::size_t kSamples = 6000, kFine = 16;
+constexpr std::size_t kFilterReach = 20;  // samples on either side of the filter's centre
 
 /// sin² (a haversine) or sin (a half-sine), cut off at `level` of its peak, after a recorder's linear-phase anti-alias
 /// filter: 16 times oversampled, filtered by a windowed sinc with its cut-off at 0.45 of the sampling rate, then every
@@ -26,11 +27,11 @@ std::vector<double> cut_row(double width, double level, double peak_N, std::uint
   std::vector<double> x(kSamples);
   for (std::size_t n = 450; n < 600; ++n) {
     double sum = 0, weights = 0;
-    for (std::size_t k = 0; k <= 2 * kTaps * kFine; ++k) {
-      const double away = (static_cast<double>(k) - static_cast<double>(kTaps * kFine)) / kFine;
+    for (std::size_t k = 0; k <= 2 * kFilterReach * kFine; ++k) {
+      const double away = (static_cast<double>(k) - static_cast<double>(kFilterReach * kFine)) / kFine;
       const double turn = 0.9 * std::numbers::pi * away;
       const double weight =
-          (away == 0 ? 1 : std::sin(turn) / turn) * std::pow(std::cos(0.5 * std::numbers::pi * away / kTaps), 2);
+          (away == 0 ? 1 : std::sin(turn) / turn) * std::pow(std::cos(0.5 * std::numbers::pi * away / kFilterReach), 2);
       sum += weight * fine(static_cast<double>(n) + away);
       weights += weight;
     }

@@ -101,8 +101,8 @@ TEST(CaptureStream, DeliversEachFrameOnce) {
   EXPECT_THAT(stream.take_findings(), IsEmpty());
 }
 
-// The device writes pieces of 2048 frames; the ring holds 1024.
-TEST(CaptureStream, DeliversThroughARingThatIsSmallerThanAPiece) {
+// The device writes pieces of 2048 frames; the ring holds 8192, the fewest for frames of 16 bytes.
+TEST(CaptureStream, DeliversThroughTheSmallestRing) {
   CaptureStream stream(synth::open_simulated_device("aluminium-bat,numbered,fast,hits=1"),
                        {.store = {.history_s = 2, .ring_s = 0.02}});
   Seen seen;

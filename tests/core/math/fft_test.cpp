@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/parallel/parallel.hpp"
+#include "support/magnitude.hpp"
 
 namespace percuss::fft_test {
 
@@ -39,24 +40,17 @@ double largest(const std::vector<Complex>& lines) {
   return out;
 }
 
-double difference(const std::vector<Complex>& a, const std::vector<Complex>& b) {
-  EXPECT_EQ(a.size(), b.size());
-  double out = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) out = std::max(out, std::abs(a[k] - b[k]));
-  return out;
-}
-
 TEST(RealDft, OfAnImpulseIsFlatWithLinearPhase) {
   std::vector<double> x(12);
   x[3] = 2;  // a quarter of the length: −90° a line
   const std::vector<Complex> turning = {2.0, {0, -2}, -2.0, {0, 2}, 2.0, {0, -2}, -2.0};
-  EXPECT_LE(difference(real_dft(x), turning), 2 * kRounding);
+  EXPECT_LE(test::largest_difference(real_dft(x), turning), 2 * kRounding);
 }
 
 TEST(RealDft, OfAConstantIsItsSumAtZero) {
   std::vector<Complex> expected(8);
   expected[0] = 15 * 0.25;
-  EXPECT_LE(difference(real_dft(std::vector<double>(15, 0.25)), expected), 4 * kRounding);
+  EXPECT_LE(test::largest_difference(real_dft(std::vector<double>(15, 0.25)), expected), 4 * kRounding);
 }
 
 TEST(RealDft, OfACosineAndASineIsOneUnscaledLineWithNegativeExponent) {
@@ -69,7 +63,7 @@ TEST(RealDft, OfACosineAndASineIsOneUnscaledLineWithNegativeExponent) {
   std::vector<Complex> expected(kSamples / 2 + 1);
   expected[4] = 3.0 * kSamples / 2;
   expected[7] = {0, -5.0 * kSamples / 2};
-  EXPECT_LE(difference(real_dft(x), expected), 100 * kRounding);
+  EXPECT_LE(test::largest_difference(real_dft(x), expected), 100 * kRounding);
 }
 
 TEST(RealDft, OfOneAndTwoSamplesIsSumAndDifference) {
@@ -82,7 +76,7 @@ TEST(RealDft, AgreesWithItsDefinitionForAnyLength) {
     const auto x = noise(size);
     const auto exact = by_definition(x);
     const double slack = static_cast<double>(size) * 0x1p-53;  // rounding of the sum itself
-    EXPECT_LE(difference(real_dft(x), exact), (kRounding + slack) * largest(exact)) << size;
+    EXPECT_LE(test::largest_difference(real_dft(x), exact), (kRounding + slack) * largest(exact)) << size;
   }
 }
 
@@ -135,7 +129,7 @@ TEST(RealDft, IsTheSameWithoutAPlan) {
     const std::vector<double> x = noise(size);
     const std::vector<Complex> planned = real_dft(x), once = real_dft_once(x);
     ASSERT_EQ(once.size(), planned.size());
-    EXPECT_LE(difference(once, planned), kRoundingOfRecurrence * largest(planned)) << size;
+    EXPECT_LE(test::largest_difference(once, planned), kRoundingOfRecurrence * largest(planned)) << size;
   }
 }
 

@@ -125,7 +125,7 @@ TEST(ParallelForCost, ObeysAThreadLimitThatATaskSets) {
   EXPECT_EQ(after, 8);
 }
 
-TEST(ThreadLimit, EndsWithTheLimitThatItReplaced) {
+TEST(ThreadLimit, RestoresTheLimitThatItReplaced) {
   EXPECT_EQ(current_thread_limit(), 0U);
   {
     const ThreadLimit two(2);

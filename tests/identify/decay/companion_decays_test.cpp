@@ -69,8 +69,8 @@ TEST(CompanionDecays, LeavePairsAndOtherShapes) {
   EXPECT_EQ(three.modes.size(), 3U);
 }
 
-// With two channels, both hoop modes of a tube have the same ratio of residues, whatever their planes. An equal ratio
-// is then no proof of one shape.
+// With two channels at a right angle, both hoop modes of a tube have the ratio of residues −1, whatever their planes.
+// An equal ratio is then no proof of one shape.
 TEST(CompanionDecays, NeedThreeChannels) {
   const DecayResults found = found_in({{decay(100, 0.001, 0.01), {1, -1}}});
   EXPECT_GT(found.modes.size() + found.tones.size(), 1U);

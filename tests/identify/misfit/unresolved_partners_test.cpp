@@ -14,8 +14,8 @@ FrfDataset other_modes() {
 }
 
 // The free decay of a mode whose frequency rises with the square of its amplitude: while the amplitude falls as
-// exp(−a t), the phase leads by c (1 − exp(−2 a t)). Expanded in powers of c, it is a sum of linear decays at one
-// frequency with the damping ratios ζ, 3 ζ, 5 ζ …
+// exp(−a t), the phase leads by c (1 − exp(−2 a t)). Expanded in powers of c, it is a sum of exponential decays at
+// one frequency with the damping ratios ζ, 3 ζ, 5 ζ …
 void add_mode_of_changing_frequency(FrfDataset& set, const Pole& pole, double change_rad) {
   Complex residue = 1;
   for (int k = 0; k < 12; ++k) {

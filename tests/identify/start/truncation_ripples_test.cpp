@@ -7,7 +7,8 @@
 
 namespace percuss::identify::truncation_ripples_test {
 
-// One mode that does not decay within the record of one second, and a weaker one that does.
+// One mode that does not decay within the record of one second, and one with the same residues that does, whose peak is
+// lower.
 FrfDataset truncated_set() {
   synth::SynthSpec spec = test::bat_spec({{.freq_Hz = 400.3, .damping_ratio = 1e-5, .residue_per_kg = {1, 0.5}},
                                           {.freq_Hz = 900, .damping_ratio = 0.005, .residue_per_kg = {1, 0.5}}},

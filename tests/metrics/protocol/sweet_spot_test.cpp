@@ -47,7 +47,7 @@ TEST(SweetSpot, LooksFirstOnTheBetterSideOfSixInches) {
   EXPECT_THAT(search_on(peak_at(12.1)).order, ElementsAre(12, 10, 14, 13, 11));
 }
 
-TEST(SweetSpot, MovesInwardThenOutwardFromFiveOrSeven) {
+TEST(SweetSpot, TestsTheNeighbourTowardsSixInchesFirst) {
   EXPECT_THAT(search_on(peak_at(10)).order, ElementsAre(12, 10, 14, 11, 9));
   EXPECT_THAT(search_on(peak_at(8)).order, ElementsAre(12, 10, 14, 11, 9, 8, 7));
   EXPECT_THAT(search_on(peak_at(14)).order, ElementsAre(12, 10, 14, 13, 15));

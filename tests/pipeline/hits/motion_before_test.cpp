@@ -35,8 +35,8 @@ TEST(MotionBefore, IsFoundWhereTheLastBlowStillRings) {
   EXPECT_THAT(moves_before(analysis.record(), analysis.force_hits(), {0, 1, 2}, 1), ElementsAre(false, true, false));
 }
 
-// 2.2 s after the last blow, 1 % of the motion is left: too little to see in the pre-trigger of 5 ms, but an integral
-// would take it for a bias and a drift, and be off by up to ten metres at the record's end.
+// 2.2 s after the last blow, 1.5 % of the motion is left: too little to see in the pre-trigger of 16 ms, but an
+// integral would take it for a bias and a drift, and be off by up to ten metres at the record's end.
 TEST(MotionBefore, LeavesTheDeflectionToTheModes) {
   const Analysis analysis = analysis_of(struck_at({0.2, 2.4}));
   const ImpactTest test = deflect(analysis);

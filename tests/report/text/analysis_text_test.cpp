@@ -14,26 +14,13 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-synth::SynthSpec bat() {
-  synth::SynthSpec spec =
-      test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7},
-                      {.freq_Hz = 1900,
-                       .damping_ratio = 0.01,
-                       .type = synth::SynthModeType::hoop,
-                       .order = 1,
-                       .amplitude_per_sqrt_kg = 2.4}},
-                     1);
-  spec.noise = {.force = 1e-4, .accel = 1e-4};
-  return spec;
-}
-
 std::string text_of(const synth::SynthSpec& spec, const TextOptions& options = {}) {
   const pipeline::Analysis analysis(synth::synthesise(spec).record, {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
   return analysis_text(analysis, options);
 }
 
 TEST(AnalysisText, ContainsConditionsAndModes) {
-  const std::string text = text_of(bat());
+  const std::string text = text_of(test::bending_and_hoop_spec());
   EXPECT_THAT(text, AllOf(HasSubstr("8.192 kHz · 3 hits × 2 accelerometers (0°, 90°) · band 60–3200 Hz"),
                           HasSubstr("bending 1"), HasSubstr("hoop 1"), HasSubstr("averages: 3")));
   EXPECT_THAT(text, Not(HasSubstr("!")));  // no warning
@@ -41,16 +28,16 @@ TEST(AnalysisText, ContainsConditionsAndModes) {
 }
 
 TEST(AnalysisText, ContainsOnlyTheChosenSections) {
-  EXPECT_THAT(text_of(bat(), {.sections = {ReportSection::hits}}),
+  EXPECT_THAT(text_of(test::bending_and_hoop_spec(), {.sections = {ReportSection::hits}}),
               AllOf(HasSubstr("verdict"), Not(HasSubstr("first moves")), Not(HasSubstr("bending"))));
-  EXPECT_THAT(text_of(bat(), {.sections = {ReportSection::frf}}),
+  EXPECT_THAT(text_of(test::bending_and_hoop_spec(), {.sections = {ReportSection::frf}}),
               AllOf(HasSubstr("FRFs: "), Not(HasSubstr("verdict")), Not(HasSubstr("coherence"))));
-  EXPECT_THAT(text_of(bat(), {.sections = {ReportSection::modes}}),
+  EXPECT_THAT(text_of(test::bending_and_hoop_spec(), {.sections = {ReportSection::modes}}),
               AllOf(HasSubstr("damping"), Not(HasSubstr("bending"))));
 }
 
 TEST(AnalysisText, GivesTheReasonBesideARejectedHit) {
-  synth::SynthSpec spec = bat();
+  synth::SynthSpec spec = test::bending_and_hoop_spec();
   spec.faults = {{.hit = 1, .kind = synth::SynthFaultKind::double_hit, .ratio = 0.3, .delay_s = 0.02}};
   const std::string text = text_of(spec);
   EXPECT_THAT(text, HasSubstr("rejected: second hit after 20.0"));
@@ -58,14 +45,14 @@ TEST(AnalysisText, GivesTheReasonBesideARejectedHit) {
 }
 
 TEST(AnalysisText, StatesThatNoHitCanBeUsed) {
-  synth::SynthSpec spec = bat();
+  synth::SynthSpec spec = test::bending_and_hoop_spec();
   for (std::size_t hit = 0; hit < spec.hits; ++hit)
     spec.faults.push_back({.hit = hit, .kind = synth::SynthFaultKind::missing});
   EXPECT_THAT(text_of(spec), AllOf(HasSubstr("no hit can be used"), Not(HasSubstr("damping"))));
 }
 
 TEST(AnalysisText, ListsTheModesOfEachHitIfChosen) {
-  const pipeline::Analysis analysis(synth::synthesise(bat()).record,
+  const pipeline::Analysis analysis(synth::synthesise(test::bending_and_hoop_spec()).record,
                                     {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
   const std::size_t plain = test::lines_of(analysis_text(analysis)).size();
   const std::size_t more = test::lines_of(analysis_text(analysis, {.per_hit = true})).size();
@@ -73,7 +60,7 @@ TEST(AnalysisText, ListsTheModesOfEachHitIfChosen) {
 }
 
 TEST(AnalysisText, StatesTheSeparationOfVeryClosePairs) {
-  synth::SynthSpec spec = bat();
+  synth::SynthSpec spec = test::bending_and_hoop_spec();
   spec.modes = {spec.modes[1], spec.modes[1]};
   spec.modes[0].freq_Hz = 500;
   spec.modes[1].freq_Hz = 500.04;
@@ -88,7 +75,7 @@ TEST(AnalysisText, StatesTheSeparationOfVeryClosePairs) {
 
 TEST(AnalysisText, ObeysTheWidth) {
   for (const std::size_t width : {100U, 120U, 160U}) {
-    for (const std::string& line : test::lines_of(text_of(bat(), {.width = width}))) {
+    for (const std::string& line : test::lines_of(text_of(test::bending_and_hoop_spec(), {.width = width}))) {
       EXPECT_LE(text_width(line), width) << line;
     }
   }

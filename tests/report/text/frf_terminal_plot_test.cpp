@@ -15,22 +15,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-synth::SynthSpec bat() {
-  synth::SynthSpec spec =
-      test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02, .order = 1, .amplitude_per_sqrt_kg = 1.7},
-                      {.freq_Hz = 1900,
-                       .damping_ratio = 0.01,
-                       .type = synth::SynthModeType::hoop,
-                       .order = 1,
-                       .amplitude_per_sqrt_kg = 2.4}},
-                     1);
-  spec.noise = {.force = 1e-4, .accel = 1e-4};
-  return spec;
-}
-
 // Each mode's number stands at its frequency. The top row shows the peak of the hoop mode, and nothing beside it.
 TEST(FrfTerminalPlot, ShowsThePeaksAboveTheirNumbers) {
-  const pipeline::Analysis analysis(synth::synthesise(bat()).record,
+  const pipeline::Analysis analysis(synth::synthesise(test::bending_and_hoop_spec()).record,
                                     {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
   const auto rows = test::lines_of(frf_terminal_plot(analysis, 108));
   ASSERT_EQ(rows.size(), 10U);
@@ -47,7 +34,7 @@ TEST(FrfTerminalPlot, ShowsThePeaksAboveTheirNumbers) {
 }
 
 TEST(FrfTerminalPlot, IsEmptyWhenTooNarrow) {
-  const pipeline::Analysis analysis(synth::synthesise(bat()).record,
+  const pipeline::Analysis analysis(synth::synthesise(test::bending_and_hoop_spec()).record,
                                     {.band_Hz = std::pair{60.0, 3200.0}, .threads = 1});
   EXPECT_EQ(frf_terminal_plot(analysis, 40), "");
 }

@@ -20,7 +20,7 @@ std::size_t max_samples(const acquire::Record& record) {
   return std::min(kMaxSamples, kMaxInAll / (record.accel.size() + 1));
 }
 
-// The samples of a channel from all rows, one after the other.
+// The samples of a channel, row after row: at most max_samples().
 template <class Read>
 std::vector<double> all_samples(const acquire::Record& record, const Read& read) {
   std::vector<double> samples;

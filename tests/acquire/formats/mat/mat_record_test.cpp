@@ -165,7 +165,7 @@ TEST_F(MatRecord, ReadsStructureArraysOfNamedChannels) {
       .channels("ch", {{"force_N", {0, 1, 2}, ""}, {"acc_g", {3, 4, 5}, ""}})
       .numbers("fs", {1, 1}, {500});
   EXPECT_EQ(opened().accel.front().to_SI, 9.80665);
-  // Without a force among them, and with equal names, the elements may be hits.
+  // Where no name is that of a force, and where names are equal, the elements may be hits.
   for (const auto& [first, second] : {std::pair("a", "b"), std::pair("hammer", "hammer")}) {
     build(first, second);
     EXPECT_THAT(input_error_of([&] { opened(); }), HasSubstr("ch.data [2x3]"));

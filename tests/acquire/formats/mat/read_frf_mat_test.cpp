@@ -125,7 +125,7 @@ TEST(ReadFrfMat, IgnoresAnglesThatAreNotReal) {
 }
 
 // A real array longer than the complex one may be a record. The name `frf`, in any letter case, decides for FRFs.
-TEST(ReadFrfMat, KnowsTheNameFrfInEitherLetterCase) {
+TEST(ReadFrfMat, KnowsTheNameFrfInAnyLetterCase) {
   for (const std::string name : {"frf", "FRF", "test.Frf"}) {
     const MatFile file = mat_file_of({mat_numbers("frequency_hz", {1, 3}, {0, 1, 2}), complex(name, {1, 3}, {1, 2, 3}),
                                       mat_numbers("other", {1, 6}, {0, 0, 0, 0, 0, 0})});

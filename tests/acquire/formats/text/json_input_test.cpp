@@ -19,7 +19,7 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(JsonInput, NamesTheCommandThatReadsTheDocument) {
-  for (const auto& [schema, remedy] :
+  for (const auto& [schema, words] :
        std::vector<std::pair<std::string, std::string>>{{"analysis", "percuss compare and percuss study read it"},
                                                         {"model-beam", "percuss compare reads it"},
                                                         {"model-bat", "percuss compare reads it"},
@@ -38,7 +38,7 @@ TEST(JsonInput, NamesTheCommandThatReadsTheDocument) {
                                                         {"batch-status", "a document of a batch"},
                                                         {"batch-part", "the records that the batch's manifest lists"},
                                                         {"synth-presets", "the list of presets"}}) {
-    EXPECT_THAT(refusal("{\"schema\": \"percuss/" + schema + "/1\"}"), HasSubstr(remedy)) << schema;
+    EXPECT_THAT(refusal("{\"schema\": \"percuss/" + schema + "/1\"}"), HasSubstr(words)) << schema;
   }
 }
 
