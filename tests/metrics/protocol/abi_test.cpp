@@ -195,7 +195,7 @@ TEST(Abi, EndsForABarrelThatDoesNotSoften) {
     run = run_of(entries);
   }
   EXPECT_EQ(run.verdict, AbiVerdict::undecided);
-  EXPECT_THAT(run.why, HasSubstr("rollers"));
+  EXPECT_THAT(run.why, HasSubstr("deeper than"));
 }
 
 // Bats whose compression and performance change at random. The procedure always ends, never asks for a depth beyond
