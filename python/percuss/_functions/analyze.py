@@ -176,7 +176,7 @@ def analyze(
     Other Parameters
     ----------------
     df : float in Hz, optional
-        Set the frequency spacing of FRFs, for files that do not state frequencies (MAT).
+        Set the frequency spacing of FRFs, for files that round frequencies or state none (MAT).
     force_channel : str or int, optional
         Select the force by column name or number, counted from 1.
     accel_channel : str or list of str, optional

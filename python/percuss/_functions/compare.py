@@ -31,7 +31,8 @@ def compare(
     Parameters
     ----------
     *documents : Result, dict or path
-        Two or more results of `analyze`, `survey`, `deflect` or `models`, or their documents.
+        Two or more results of `analyze`, `survey`, `deflect`, `models.beam`, `models.bat`,
+        `models.impact` or `models.shell`, or their documents.
     furthest : float in %, optional
         Pair modes only if their frequencies differ by at most this much. Default: 25.
     least_mac : float, optional
