@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "cli/hit_list.hpp"
-#include "cli/option_units.hpp"
 #include "cli/option_error.hpp"
+#include "cli/option_units.hpp"
 #include "core/error.hpp"
 #include "core/io/parse_number.hpp"
 #include "pipeline/hits/hit_grading.hpp"
