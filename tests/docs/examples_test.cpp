@@ -69,7 +69,7 @@ class Examples : public testing::Test {
       const auto outcome = run_in_shell(line, prepared()->path());
       ASSERT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
     }
-    acquire::write_hdf5(prepared()->file("scan.h5"), synth::synthesise(test::roving_beam_spec(3, 0.25, 25)).record,
+    acquire::write_hdf5(prepared()->file("scan.h5"), synth::synthesise(test::roving_beam_spec(3, 0.5, 13)).record,
                         false);
     test::write_bytes(prepared()->file("ping.wav"), test::wav_of(test::ping(1e-3)));
     test::write_bytes(prepared()->file("hits.csv"), calibration_hits());
