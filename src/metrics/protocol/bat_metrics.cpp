@@ -86,8 +86,7 @@ std::vector<Warning> metrics_warnings(const BatReadings& r, const BatMetrics& m)
   if (m.swing_mps && !r.swing_mps && r.swing.v0_mps == standard.v0_mps) {
     out.push_back(with_remedy({"swing_speed_constant",
                                "the swing model uses v0 = 60 mph: the source prints 40 mph, which gives 44.6 mph 6 in "
-                               "from the tip of a 34 in "
-                               "bat with a MOI of 10 450 oz in², not the 66 mph that it states",
+                               "from the tip of a 34 in bat with a MOI of 10 450 oz in², not the 66 mph that it states",
                                {"v0_mph"}},
                               "state v0 or the swing speed if another one is meant"));
   }

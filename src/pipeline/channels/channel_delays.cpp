@@ -59,7 +59,7 @@ ChannelDelay refined(std::span<const ModePhase> phases, double start_s) {
   for (int pass = 0; pass < 3; ++pass) {  // the half turns may change with the delay
     const RobustSlope slope = robust_slope(omega, phases_after(phases, out.delay_s), std);
     out.delay_s -= slope.slope;
-    out.std_s = std::hypot(slope.std, force_std_s(phases));
+    out.std_s = slope.std;
     out.phase_rms = slope.rms;
   }
   double without = 0;
@@ -105,9 +105,9 @@ std::vector<Eigen::MatrixXd> force_phases(const identify::FrfDataset& set, const
 }
 
 // The direction of a mode's residues in a channel: the phase that most of their energy lies along, over all points.
-// `of_force` are its rows in force_phases(), [points].
+// The mode has the row `row` of the matrices `of_force` of force_phases(), [points].
 std::optional<ModePhase> phase_of(const identify::Mode& mode, std::size_t channel,
-                                  const std::vector<Eigen::RowVectorXd>& of_force) {
+                                  const std::vector<Eigen::MatrixXd>& of_force, std::size_t row) {
   Complex doubled;
   double energy = 0, noise = 0;
   std::vector<double> energy_at(of_force.size());  // [points]
@@ -122,7 +122,8 @@ std::optional<ModePhase> phase_of(const identify::Mode& mode, std::size_t channe
   if (!(energy > kClearPhase * kClearPhase * noise) || !(std::abs(doubled) > 0)) return std::nullopt;
   ModePhase out{.freq_Hz = mode.pole.freq_Hz, .phase_rad = 0.5 * std::arg(doubled), .std_rad = 1 / std::sqrt(energy)};
   for (std::size_t p = 0; p < of_force.size(); ++p) {
-    for (const double phase : of_force[p]) out.force_rad.push_back(energy_at[p] / energy * phase);
+    for (Eigen::Index v = 0; v < of_force[p].cols(); ++v)
+      out.force_rad.push_back(energy_at[p] / energy * of_force[p](static_cast<Eigen::Index>(row), v));
   }
   return out;
 }
@@ -163,11 +164,13 @@ bool ChannelDelay::established() const {
 
 std::optional<ChannelDelay> delay_of_phases(std::span<const ModePhase> phases) {
   if (phases.size() < kMinPhases) return std::nullopt;
-  std::optional<ChannelDelay> best;
-  for (const double start_s : starts_s(phases)) {
-    const ChannelDelay one = refined(phases, start_s);
-    if (!best || one.log_chance < best->log_chance) best = one;
+  const std::vector<double> starts = starts_s(phases);
+  ChannelDelay best = refined(phases, starts.front());
+  for (std::size_t i = 1; i < starts.size(); ++i) {
+    const ChannelDelay one = refined(phases, starts[i]);
+    if (one.log_chance < best.log_chance) best = one;
   }
+  best.std_s = std::hypot(best.std_s, force_std_s(phases));
   return best;
 }
 
@@ -175,16 +178,10 @@ std::vector<ChannelDelay> delays_of_residues(const identify::FrfDataset& set, co
                                              std::size_t channels) {
   std::vector<ChannelDelay> out;
   const std::vector<Eigen::MatrixXd> of_points = force_phases(set, modes);
-  const auto of_mode = [&](std::size_t m) {
-    std::vector<Eigen::RowVectorXd> rows;
-    for (const Eigen::MatrixXd& of_point : of_points)
-      rows.push_back(of_point.size() == 0 ? Eigen::RowVectorXd() : of_point.row(static_cast<Eigen::Index>(m)).eval());
-    return rows;
-  };
   for (std::size_t c = 0; c < channels; ++c) {
     std::vector<ModePhase> phases;
     for (std::size_t m = 0; m < modes.size(); ++m) {
-      if (auto phase = phase_of(modes[m], c, of_mode(m))) phases.push_back(*std::move(phase));
+      if (auto phase = phase_of(modes[m], c, of_points, m)) phases.push_back(*std::move(phase));
     }
     if (auto delay = delay_of_phases(phases)) {
       delay->channel = c;
