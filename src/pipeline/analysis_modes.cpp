@@ -7,11 +7,19 @@
 #include "pipeline/stages/cancelled_tones.hpp"
 #include "pipeline/stages/hidden_modes.hpp"
 #include "pipeline/stages/hit_scatter.hpp"
-#include "pipeline/stages/mains_modes.hpp"
 #include "pipeline/stages/single_hits.hpp"
 #include "pipeline/stages/stated_noise.hpp"
+#include "pipeline/stages/tone_modes.hpp"
 
 namespace percuss::pipeline {
+namespace {
+
+std::vector<Tone> joined(std::vector<Tone> tones, const std::vector<Tone>& more) {
+  tones.insert(tones.end(), more.begin(), more.end());
+  return tones;
+}
+
+}  // namespace
 
 // The number of modes that the options state limits the modes within the band, not the modes of its margin.
 identify::IdentifyOptions Analysis::all_modes() const {
@@ -35,8 +43,6 @@ const std::vector<identify::Mode>& Analysis::modes() const {
     const identify::FrfDataset& set = fitted_frfs();
     const TestSpectra from = spectra();
     const std::vector<Tone>& tones = from.responses.tones;
-    const bool hums =
-        std::any_of(tones.begin(), tones.end(), [](const Tone& tone) { return may_be_mains(tone.freq_Hz); });
     const ThreadLimit limit(options_.threads);
     return trace_.run("modes", [&] {
       const identify::IdentifyOptions all = all_modes();
@@ -56,8 +62,8 @@ const std::vector<identify::Mode>& Analysis::modes() const {
       search();
       add_scatter_between_hits(set, from, hits, options_.modes, search, found);
       if (!hidden.wandering.empty()) refit_modes_near_tones(found, hidden.wandering, set, hits(), all.effort);
-      if (hidden.wandering.empty() && !hums) searched_poles_ = hidden.unmodelled;
-      if (hums) remove_mains_modes(found, tones, set, hits());
+      if (hidden.wandering.empty() && tones.empty()) searched_poles_ = hidden.unmodelled;
+      remove_tone_modes(found, joined(tones, hidden.wandering), set, hits);
       add_ringing_std(earlier_ringing(), set, from, found);
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
       margin_modes_ = std::move(split.below);

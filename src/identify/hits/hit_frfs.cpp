@@ -1,5 +1,7 @@
 #include "identify/hits/hit_frfs.hpp"
 
+#include <numeric>
+
 #include "core/math/complex.hpp"
 
 namespace percuss::identify {
@@ -19,7 +21,7 @@ std::vector<std::size_t> residue_indices(const FrfDataset& set, const HitFrfs& h
 }
 
 std::vector<VectorXcd> hit_data(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
-                                const ModeWindow& window) {
+                                const ModeWindow& window, const std::vector<Mode>& of_hits) {
   std::vector<VectorXcd> data(hits.accel.size(), VectorXcd(static_cast<Index>(window.count)));
   for (std::size_t o = 0; o < data.size(); ++o) {
     const Complex* force = hits.set.points[hits.set.channels[o].point].spectra.front().get() + window.first;
@@ -27,7 +29,13 @@ std::vector<VectorXcd> hit_data(const FrfDataset& set, const HitFrfs& hits, cons
     for (std::size_t k = 0; k < window.count; ++k)
       data[o](static_cast<Index>(k)) = conj_times(force[k], accel[k]) * (1 / std::norm(force[k]));
   }
-  subtract_other_modes(hits.set, modes, window, residue_indices(set, hits), data);
+  if (of_hits.empty()) {
+    subtract_other_modes(hits.set, modes, window, residue_indices(set, hits), data);
+  } else {
+    std::vector<std::size_t> same(data.size());
+    std::iota(same.begin(), same.end(), std::size_t{0});
+    subtract_other_modes(hits.set, of_hits, window, same, data);
+  }
   return data;
 }
 

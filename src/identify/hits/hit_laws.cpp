@@ -146,6 +146,15 @@ double trend_deviate(const HitSeries& series, const std::vector<double>& peak_N)
                   deviate([&](std::size_t hit) { return std::abs(peak_N[hit]); }));
 }
 
+bool follows_a_law(const HitSeries& series, const std::vector<double>& peak_N) {
+  if (series.hits.size() < kMinHitsOfLaw) return false;
+  const auto follows = [&](const Law& law) { return fit_line(series, law).follows(); };
+  return follows([](std::size_t hit) { return static_cast<double>(hit); }) ||
+         follows([&](std::size_t hit) { return std::abs(peak_N[hit]); }) ||
+         follows([&](std::size_t hit) { return peak_N[hit] * peak_N[hit]; }) ||
+         follows([&](std::size_t hit) { return std::log(std::abs(peak_N[hit])); });
+}
+
 void explain_scatter(const std::vector<HitSeries>& series, const std::vector<double>& peak_N,
                      std::vector<Mode>& modes) {
   if (series.empty() || peak_N.size() < kMinHitsOfLaw) return;

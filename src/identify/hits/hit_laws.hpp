@@ -18,6 +18,10 @@ struct HitSeries {
 /// sees a trend before χ² does.
 double trend_deviate(const HitSeries& series, const std::vector<double>& peak_N);
 
+/// Whether a regression line over the order of the hits, or over a function of their force, explains 70 % of the χ² of
+/// the values, with a slope that passes a t test.
+bool follows_a_law(const HitSeries& series, const std::vector<double>& peak_N);
+
 /// Decides for all series together whether the forces of the hits or their order explain the scatter, and describes the
 /// modes' trends accordingly (Mode::amplitude, Mode::drift). Describes no trend unless a regression line explains 70 %
 /// of the χ² of some series and its slope passes a t test (1 %, two-sided). A trend does not average out: the standard

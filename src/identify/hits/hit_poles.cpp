@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/complex.hpp"
 #include "core/math/linear_algebra.hpp"
 #include "core/parallel/parallel.hpp"
+#include "identify/fit/joint_fit.hpp"
 #include "identify/fit/local_fit.hpp"
 #include "identify/fit/variable_projection.hpp"
 #include "identify/hits/mode_windows.hpp"
@@ -60,9 +62,9 @@ HitPole hit_pole(const Pole& pole, double freq_std_Hz, double damping_std, const
 }
 
 void step_window(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes, const ModeWindow& window,
-                 std::vector<HitPoles>& out) {
+                 const std::vector<Mode>& of_hits, std::vector<HitPoles>& out) {
   const std::vector<Pole> poles = window.poles(modes);
-  const auto data = hit_data(set, hits, modes, window);
+  const auto data = hit_data(set, hits, modes, window, of_hits);
   const std::size_t terms = LocalFitOptions{}.residual_terms;
   VariableProjection projection(hits.set, data, VectorXd::Ones(static_cast<Index>(data.size())), window.first,
                                 window.count, terms);
@@ -167,16 +169,16 @@ std::vector<VectorXd> noise_scales_of_hits(const HitFrfs& hits, const std::vecto
 }  // namespace
 
 std::vector<HitPoles> linearised_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
-                                           const std::vector<ModeWindow>& windows) {
+                                           const std::vector<ModeWindow>& windows, const std::vector<Mode>& of_hits) {
   std::vector<HitPoles> out(modes.size(), HitPoles{.hits = std::vector<HitPole>(hits.points.size())});
   const std::size_t lines = windows.empty() ? 0 : windows.front().count;
   parallel_for_cost(windows.size(), kFlopsPerLine * lines * hits.accel.size(),
-                    [&](std::size_t w) { step_window(set, hits, modes, windows[w], out); });
+                    [&](std::size_t w) { step_window(set, hits, modes, windows[w], of_hits, out); });
   return out;
 }
 
 std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
-                                       const ModeWindow& window) {
+                                       const ModeWindow& window, const std::vector<Mode>& of_hits) {
   const std::vector<Pole> start = window.poles(modes);
   const auto fit = [&](const FrfDataset& of, const std::vector<VectorXcd>& data) {
     return fit_by_residual(of, data, start, window);
@@ -184,7 +186,7 @@ std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hit
   std::vector<HitPoles> out(start.size(), HitPoles{.hits = std::vector<HitPole>(hits.points.size())});
   const LocalFit together = fit(set, window_data(set, modes, window));
   for (std::size_t i = 0; i < start.size(); ++i) out[i].together = pole_of_fit(together, i, start[i]);
-  const auto data = hit_data(set, hits, modes, window);
+  const auto data = hit_data(set, hits, modes, window, of_hits);
   const std::size_t channels = data.size() / hits.points.size();
   parallel_for_cost(hits.points.size(), 20 * kFlopsPerLine * window.count * channels, [&](std::size_t h) {
     const auto first = data.begin() + static_cast<std::ptrdiff_t>(h * channels);
@@ -194,12 +196,43 @@ std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hit
   return out;
 }
 
+std::vector<Mode> modes_with_residues_of_hits(const FrfDataset& set, const HitFrfs& hits,
+                                              const std::vector<Mode>& modes, const std::vector<HitPoles>& linear) {
+  const auto scatters = [](const HitPoles& poles) {
+    std::vector<ResidueRatio> ratios;
+    for (const HitPole& hit : poles.hits) ratios.push_back(hit.residue_ratio);
+    return scatter_clearly(ratios);
+  };
+  if (std::none_of(linear.begin(), linear.end(), scatters)) return {};
+  FrfDataset each = hits.set;  // the FRFs of the single hits
+  for (std::size_t o = 0; o < each.channels.size(); ++o) {
+    const Complex* force = each.points[each.channels[o].point].spectra.front().get();
+    each.channels[o].frf.resize(each.lines.count);
+    for (std::size_t k = 0; k < each.lines.count; ++k)
+      each.channels[o].frf[k] = conj_times(force[k], hits.accel[o][k]) * (1 / std::norm(force[k]));
+  }
+  std::vector<Pole> poles;
+  for (const Mode& mode : modes) poles.push_back(mode.pole);
+  const Eigen::MatrixXcd residues = residues_at(each, poles);
+  std::vector<Mode> out = modes;
+  const std::vector<std::size_t> residue_of = residue_indices(set, hits);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    out[m].residues.clear();
+    for (std::size_t o = 0; o < residue_of.size(); ++o) {
+      out[m].residues.push_back(modes[m].residues[residue_of[o]]);
+      out[m].residues.back().value = residues(static_cast<Index>(o), static_cast<Index>(m));
+    }
+  }
+  return out;
+}
+
 std::vector<std::size_t> modes_from_hit_scatter(const FrfDataset& set, const HitFrfs& hits,
-                                                const std::vector<Mode>& modes, const ModeWindow& window) {
+                                                const std::vector<Mode>& modes, const ModeWindow& window,
+                                                const std::vector<Mode>& of_hits) {
   std::vector<std::size_t> imitating, left = window.modes;
   std::vector<Pole> poles = window.poles(modes);
   if (poles.size() < 2) return imitating;
-  const auto data = hit_data(set, hits, modes, window);
+  const auto data = hit_data(set, hits, modes, window, of_hits);
   const std::vector<VectorXd> noise_scales = noise_scales_of_hits(hits, data, poles, window);
   HitCosts with = costs_of_hits(hits, data, noise_scales, poles, window);
   const double common = common_cost(hits, data, noise_scales, poles, window);

@@ -31,19 +31,28 @@ struct HitPoles {
 };
 
 /// Each mode's pole in each hit, [modes]: one Gauss–Newton step of the hit's own FRFs from the modes' poles, over each
-/// mode's window. Modes fitted in one window are solved for together; the others are subtracted.
+/// mode's window. Modes fitted in one window are solved for together; the others are subtracted. of_hits: as
+/// hit_data().
 std::vector<HitPoles> linearised_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
-                                           const std::vector<ModeWindow>& windows);
+                                           const std::vector<ModeWindow>& windows,
+                                           const std::vector<Mode>& of_hits = {});
 
 /// The same for the modes of one window, [window.modes], by complete local fits. They also follow poles too far from
 /// the modes' poles for one Gauss–Newton step. `together` is the local fit of the averaged FRFs, over the same window.
 std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
-                                       const ModeWindow& window);
+                                       const ModeWindow& window, const std::vector<Mode>& of_hits = {});
+
+/// The modes with the residues of the single hits, [channels of hits.set], all fitted together at the modes' poles. A
+/// blow in another direction changes them. Empty where no ratios of `linear`, from linearised_hit_poles(), scatter
+/// clearly: the residues of the test then serve, which a window of lines determines better.
+std::vector<Mode> modes_with_residues_of_hits(const FrfDataset& set, const HitFrfs& hits,
+                                              const std::vector<Mode>& modes, const std::vector<HitPoles>& linear);
 
 /// The modes of a window that only imitate a resonance whose frequency differs between the hits. Without such a mode,
 /// complete fits of the single hits are about as good as with it. They are also better than a fit of all modes with
 /// poles common to the hits. At least one mode remains.
 std::vector<std::size_t> modes_from_hit_scatter(const FrfDataset& set, const HitFrfs& hits,
-                                                const std::vector<Mode>& modes, const ModeWindow& window);
+                                                const std::vector<Mode>& modes, const ModeWindow& window,
+                                                const std::vector<Mode>& of_hits = {});
 
 }  // namespace percuss::identify

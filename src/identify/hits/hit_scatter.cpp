@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <set>
 
 #include "core/math/random_effects.hpp"
 #include "core/math/significance.hpp"
@@ -54,13 +57,44 @@ struct ModeScatter {
   }
 };
 
-ModeScatter scatter_of_mode(const HitPoles& poles, const std::vector<double>& peak_N) {
+// Whether hits of one point differ: χ² of the orthogonal contrasts of each point's hits. Nothing where no two points
+// have several hits. Values of different points may differ although no pole changes: what the modes leave of an FRF
+// moves its poles, by another amount at each point.
+std::optional<bool> hits_of_a_point_differ(const HitSeries& series, const std::vector<std::size_t>& points) {
+  struct Mean {
+    double value = 0, variance = 0;
+    std::size_t hits = 0;
+  };
+  std::map<std::size_t, Mean> means;
+  std::set<std::size_t> repeated;
+  double chi2 = 0, degrees = 0;
+  for (std::size_t i = 0; i < series.hits.size(); ++i) {
+    Mean& mean = means[points[series.hits[i]]];
+    const double variance = series.std[i] * series.std[i], n = static_cast<double>(mean.hits);
+    if (mean.hits > 0) {
+      chi2 += std::pow(series.value[i] - mean.value, 2) / (variance + mean.variance);
+      ++degrees;
+      repeated.insert(points[series.hits[i]]);
+    }
+    mean.value += (series.value[i] - mean.value) / (n + 1);
+    mean.variance = (mean.variance * n * n + variance) / ((n + 1) * (n + 1));
+    ++mean.hits;
+  }
+  if (means.size() < 2 || repeated.size() < 2) return std::nullopt;
+  return chi2_deviate(chi2, degrees) > kOnceIn1000;
+}
+
+// points  [hits] index of the hit's point
+ModeScatter scatter_of_mode(const HitPoles& poles, const std::vector<double>& peak_N,
+                            const std::vector<std::size_t>& points) {
   ModeScatter scatter{.known = known_of(poles), .freq = {}, .damping = {}};
   if (scatter.known.hits.size() < kMinHits) return scatter;
   scatter.freq = scatter_of_hits(scatter.known.freq_Hz, scatter.known.freq_std_Hz);
   scatter.damping = scatter_of_hits(scatter.known.damping, scatter.known.damping_std);
   const auto differs = [&](const ScatterOfHits& of, bool is_freq) {
-    return of.deviate > kOnceIn1000 || trend_deviate(scatter.series(0, is_freq), peak_N) > kSignificantTrend;
+    const HitSeries series = scatter.series(0, is_freq);
+    if (!(of.deviate > kOnceIn1000) && !(trend_deviate(series, peak_N) > kSignificantTrend)) return false;
+    return hits_of_a_point_differ(series, points).value_or(true) || follows_a_law(series, peak_N);
   };
   scatter.freq_differs = differs(scatter.freq, true);
   scatter.damping_differs = differs(scatter.damping, false);
@@ -86,13 +120,13 @@ void add_part(const ScatterOfHits& scatter, StdParts& parts, double& spread, dou
   total = parts.total();
 }
 
-void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window, const std::vector<double>& peak_N,
-            std::vector<Mode>& modes, std::vector<ModeScatter>& scatter) {
-  const auto fitted = fitted_hit_poles(set, hits, modes, window);
+void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window, const std::vector<Mode>& of_hits,
+            const std::vector<double>& peak_N, std::vector<Mode>& modes, std::vector<ModeScatter>& scatter) {
+  const auto fitted = fitted_hit_poles(set, hits, modes, window, of_hits);
   const std::vector<Pole> before = window.poles(modes);
   for (std::size_t i = 0; i < window.modes.size(); ++i) {
     const std::size_t m = window.modes[i];
-    const ModeScatter again = scatter_of_mode(fitted[i], peak_N);
+    const ModeScatter again = scatter_of_mode(fitted[i], peak_N, hits.points);
     if (!scatter[m].significant() || again.known.hits.size() < scatter[m].known.hits.size()) continue;
     scatter[m] = again;
     if (again.significant()) take_mean(modes[m], scatter[m], fitted[i].together);
@@ -133,6 +167,8 @@ WindowedHitPoles windowed_hit_poles(const FrfDataset& set, const HitFrfs& hits, 
   if (hits.points.size() < kMinHits || modes.empty()) return out;
   out.windows = mode_windows(set, modes);
   out.poles = linearised_hit_poles(set, hits, modes, out.windows);
+  out.of_hits = modes_with_residues_of_hits(set, hits, modes, out.poles);
+  if (!out.of_hits.empty()) out.poles = linearised_hit_poles(set, hits, modes, out.windows, out.of_hits);
   return out;
 }
 
@@ -140,10 +176,10 @@ void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const WindowedH
                      const std::vector<double>& peak_N, std::vector<Mode>& modes) {
   if (linear.windows.empty()) return;
   std::vector<ModeScatter> scatter;
-  for (const HitPoles& poles : linear.poles) scatter.push_back(scatter_of_mode(poles, peak_N));
+  for (const HitPoles& poles : linear.poles) scatter.push_back(scatter_of_mode(poles, peak_N, hits.points));
   for (const ModeWindow& window : linear.windows) {
     if (std::any_of(window.modes.begin(), window.modes.end(), [&](std::size_t m) { return scatter[m].significant(); }))
-      refine(set, hits, window, peak_N, modes, scatter);
+      refine(set, hits, window, linear.of_hits, peak_N, modes, scatter);
   }
   std::vector<HitSeries> series;
   for (std::size_t m = 0; m < modes.size(); ++m) {
@@ -169,15 +205,17 @@ std::vector<double> without_imitating_modes(const FrfDataset& set, const HitFrfs
   const std::vector<std::size_t> residue_of = residue_indices(set, hits);
   std::vector<char> imitating(modes.size(), 0);
   for (const ModeWindow& window : linear.windows) {
-    for (const std::size_t m : spurious_modes_of_nonlinearity(set, hits, modes, window)) imitating[m] = 1;
+    for (const std::size_t m : spurious_modes_of_nonlinearity(set, hits, modes, window, linear.of_hits))
+      imitating[m] = 1;
     if (window.modes.size() < 2) continue;
     // Hits do not determine a pair that only imitates their scatter.
     const auto differs = [&](std::size_t m) {
-      return linear.poles[m].differs_from_previous || scatter_of_mode(linear.poles[m], peak_N).significant() ||
+      return linear.poles[m].differs_from_previous ||
+             scatter_of_mode(linear.poles[m], peak_N, hits.points).significant() ||
              is_undetermined(hits, residue_of, modes[m], linear.poles[m]);
     };
     if (std::none_of(window.modes.begin(), window.modes.end(), differs)) continue;
-    for (const std::size_t m : modes_from_hit_scatter(set, hits, modes, window)) imitating[m] = 1;
+    for (const std::size_t m : modes_from_hit_scatter(set, hits, modes, window, linear.of_hits)) imitating[m] = 1;
   }
   if (std::none_of(imitating.begin(), imitating.end(), [](char one) { return one != 0; })) return {};
   std::vector<double> left_Hz;

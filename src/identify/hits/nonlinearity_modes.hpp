@@ -9,6 +9,7 @@ namespace percuss::identify {
 /// amplitude. They are weak, broad modes under a stronger one. Their residues differ between the hit that determines
 /// them best and the other hits.
 std::vector<std::size_t> spurious_modes_of_nonlinearity(const FrfDataset& set, const HitFrfs& hits,
-                                                        const std::vector<Mode>& modes, const ModeWindow& window);
+                                                        const std::vector<Mode>& modes, const ModeWindow& window,
+                                                        const std::vector<Mode>& of_hits = {});
 
 }  // namespace percuss::identify

@@ -14,8 +14,8 @@ using Eigen::VectorXd;
 
 // A mode's residues r at one FRF in all hits, with the weights w.
 struct ResidueSums {
-  Complex sum;                   // Σ w r
-  double weight = 0, power = 0;  // Σ w, Σ w |r|²
+  Complex sum;                               // Σ w r
+  double weight = 0, square = 0, power = 0;  // Σ w, Σ w², Σ w |r|²
 };
 
 // [channels of set]
@@ -38,22 +38,30 @@ std::vector<ResidueSums> residue_sums(const FrfDataset& set, const HitFrfs& hits
       ResidueSums& of_frf = sums[residue_of[part.channels[i]]];
       of_frf.sum += residue / variance;
       of_frf.weight += 1 / variance;
+      of_frf.square += 1 / (variance * variance);
       of_frf.power += std::norm(residue) / variance;
     }
   }
   return sums;
 }
 
-}  // namespace
-
-std::optional<bool> residues_agree(const ResidueCoherence& point) {
+// Whether the coherence is too high for the independent residues of this number of hits. The coherence of n independent
+// circular normal residues exceeds c with the probability (1 − c)^(n − 1). Residues of equal size and independent
+// phases exceed this limit more often: with three hits once in 80 times.
+std::optional<bool> agree(const ResidueCoherence& point, double hits) {
   constexpr double kChance = 1e-3;
   constexpr std::size_t kPhaseHits = 3;
   if (point.hits < kPhaseHits) return std::nullopt;
-  // The coherence of n independent circular normal residues exceeds c with the probability (1 − c)^(n − 1). Residues of
-  // equal size and independent phases exceed this limit more often: with three hits once in 80 times.
-  return point.coherence > 1 - std::pow(kChance, 1 / static_cast<double>(point.hits - 1));
+  return hits > 1 && point.coherence > 1 - std::pow(kChance, 1 / (hits - 1));
 }
+
+}  // namespace
+
+std::optional<bool> residues_agree(const ResidueCoherence& point) {
+  return agree(point, static_cast<double>(point.hits));
+}
+
+std::optional<bool> equal_residues_agree(const ResidueCoherence& point) { return agree(point, point.counted_hits); }
 
 std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const HitFrfs& hits,
                                                 const std::vector<Mode>& modes, const ModeWindow& window,
@@ -66,6 +74,8 @@ std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const Hit
     if (!(sums[o].weight > 0)) continue;
     common[set.channels[o].point] += std::norm(sums[o].sum) / sums[o].weight;
     power[set.channels[o].point] += sums[o].power;
+    double& counted = out[set.channels[o].point].counted_hits;
+    counted = std::max(counted, sums[o].weight * sums[o].weight / sums[o].square);
   }
   for (std::size_t p = 0; p < out.size(); ++p) out[p].coherence = power[p] > 0 ? common[p] / power[p] : 0;
   return out;

@@ -11,11 +11,16 @@ namespace percuss::identify {
 struct ResidueCoherence {
   double coherence = 0;  // Σ |Σ w r|² / Σ w over Σ Σ w |r|², outer sums over the channels; 1 where all hits agree
   std::size_t hits = 0;
+  double counted_hits = 0;  // (Σ w)²/Σ w², the largest over the channels: fewer where few hits have most of the weight
 };
 
 /// True where the residues of the hits agree: independent circular normal residues reach their coherence at most once
 /// in a thousand times. Nothing with fewer than three hits, which do not show whether the phases are independent.
 std::optional<bool> residues_agree(const ResidueCoherence& point);
+
+/// As residues_agree(), for residues of about equal size whose variances differ, as a tone leaves them: the coherence
+/// of such residues is high by chance where few hits have most of the weight.
+std::optional<bool> equal_residues_agree(const ResidueCoherence& point);
 
 /// [points of set] for the mode window.modes[mode]. Each hit is fitted over the window at the modes' poles, which gives
 /// a residue r per channel; w is one over the variance of r. The hits are compared with their own mean in each channel,

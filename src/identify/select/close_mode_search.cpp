@@ -82,8 +82,10 @@ std::vector<Pole> try_close_mode(const WindowedFit& all, const FitGroup& group, 
   if (residual_energy_ratio(misfitting, all.noise(group), one, best.fit) >= kSplitGain ||
       gained <= kSplitTest * WindowNoise(all.set()).max_factor() * left)
     return now;
-  return explained_by_freq_scatter(all.set(), {.data = data, .noise_scale = noise_scale}, group, best) ? now
-                                                                                                       : best.fit.poles;
+  return explained_by_freq_scatter(all.set(), {.data = data, .noise_scale = noise_scale, .noise = all.noise(group)},
+                                   group, best)
+             ? now
+             : best.fit.poles;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identify/noise/line_noise.hpp"
 #include "identify/select/frequency_scatter.hpp"
 #include "identify/select/joint_selection.hpp"
 
@@ -13,6 +14,8 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 
 constexpr double kScatterReach = 4;  // standard deviations of the scatter: a pair farther apart does not imitate it
+// Largest residues of a partner that follows a drift during the decay, over those of its mode.
+constexpr double kMaxDriftShare = 0.3;
 
 }  // namespace
 
@@ -43,6 +46,7 @@ std::size_t unknowns_of(const FrfDataset& set, const std::vector<FittedMode>& mo
 
 std::vector<std::size_t> scatter_partners(const FrfDataset& set, const std::vector<FittedMode>& modes,
                                           const JointFit& fit) {
+  const LineNoise line_noise(set);
   std::vector<std::size_t> partners;
   for (const FittedMode& mode : modes) {
     if (!(mode.mode.freq_scatter_Hz > 0)) continue;
@@ -55,21 +59,26 @@ std::vector<std::size_t> scatter_partners(const FrfDataset& set, const std::vect
     if (near.size() < 2) continue;
     const auto by_freq = [&](std::size_t a, std::size_t b) { return fit.poles[a].freq_Hz < fit.poles[b].freq_Hz; };
     const auto [low, high] = std::minmax_element(near.begin(), near.end(), by_freq);
-    double separate = 0, pair = 0;
+    double separate = 0, pair = 0, noise_energy = 0;
+    const Eigen::VectorXd noise = line_noise.over(mode.first, mode.count);
     for (std::size_t o = 0; o < fit.residual.size(); ++o) {
       const double n = mode.noise(static_cast<Index>(o));
       separate += n * n * static_cast<double>(mode.count);
+      noise_energy += std::pow(noise(static_cast<Index>(o)), 2) * static_cast<double>(mode.count);
       pair += fit.residual[o].segment(static_cast<Index>(mode.first), static_cast<Index>(mode.count)).squaredNorm();
     }
-    if (fit.poles[*high].freq_Hz - fit.poles[*low].freq_Hz >= reach_Hz || separate >= kMaxScatterCostRatio * pair)
+    if (fit.poles[*high].freq_Hz - fit.poles[*low].freq_Hz >= reach_Hz ||
+        separate >= max_scatter_energy(pair, noise_energy))
       continue;
-    const auto peak = [&](std::size_t m) {
-      return fit.residues.col(static_cast<Index>(m)).norm() / fit.poles[m].damping_ratio;
-    };
+    const auto size = [&](std::size_t m) { return fit.residues.col(static_cast<Index>(m)).norm(); };
+    const auto peak = [&](std::size_t m) { return size(m) / fit.poles[m].damping_ratio; };
     const std::size_t strongest =
         *std::max_element(near.begin(), near.end(), [&](std::size_t a, std::size_t b) { return peak(a) < peak(b); });
     for (const std::size_t m : near) {
-      if (m != strongest) partners.push_back(m);
+      if (m == strongest) continue;
+      const double apart_Hz = std::abs(fit.poles[m].freq_Hz - fit.poles[strongest].freq_Hz);
+      const double scatter_share = kScatterReach * mode.mode.freq_scatter_Hz / apart_Hz;
+      if (size(m) <= std::max(scatter_share, kMaxDriftShare) * size(strongest)) partners.push_back(m);
     }
   }
   std::sort(partners.begin(), partners.end());

@@ -19,6 +19,8 @@ using Eigen::VectorXd;
 constexpr std::size_t kMinPoints = 3;        // each of two points may observe one mode of an orthogonal pair
 constexpr double kMinScatterEnergy = 2;      // residual energy over the noise energy: below it there is no scatter
 constexpr double kScatterFStatistic = 25;    // F statistic of separate poles
+constexpr double kMaxScatterRatio = 15;      // of residual energies above the noise
+constexpr double kNoiseError = 0.3;          // of the estimated noise energy
 constexpr double kMaxScatterWidths = 3;      // bandwidths: poles farther apart are separate modes
 constexpr double kMaxScatterWidthRatio = 6;  // of the half-power bandwidths: beyond it the poles are separate modes
 // Largest distance of common poles that may stand for scatter, in standard deviations of the scatter.
@@ -127,6 +129,11 @@ ScatteredMode scattered_mode(const WindowedFit& all, const FitGroup& group, cons
   return out;
 }
 
+// The noise energy of all channels, in the unit of LocalFit::cost.
+double noise_cost(const WindowData& window, const FitGroup& group) {
+  return static_cast<double>(group.count) * (window.noise.array() / window.noise_scale.array()).square().sum();
+}
+
 // True where one pole per point can stand for these common poles: its frequency scatters as widely as they lie apart.
 // A true pair has two fixed poles; the pole of a point then lies at one of them or between.
 bool scatter_spans(const PointFits& points, const std::vector<Pole>& poles) {
@@ -147,11 +154,15 @@ bool scatter_spans(const PointFits& points, const std::vector<Pole>& poles) {
 
 }  // namespace
 
+double max_scatter_energy(double further_mode, double noise) {
+  return std::max(further_mode, noise) + std::max((kMaxScatterRatio - 1) * (further_mode - noise), kNoiseError * noise);
+}
+
 bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, const FitGroup& one,
                                const FitGroup& more) {
   if (set.points.size() < kMinPoints || more.fit.degrees == 0) return false;
   // The costs are comparable: separate poles of one mode add fewer unknowns than one more common mode.
-  const double max_cost = kMaxScatterCostRatio * more.fit.cost;
+  const double max_cost = max_scatter_energy(more.fit.cost, noise_cost(window, more));
   const PointFits points = fit_each_point(set, window, one, max_cost);
   return !points.fits.empty() && (one.fit.poles.size() > 1 || scatter_spans(points, more.fit.poles));
 }
@@ -159,7 +170,8 @@ bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, 
 std::optional<Pole> merge_if_scattered(const WindowedFit& all, const FitGroup& group) {
   const auto& poles = group.fit.poles;
   if (poles.size() < 2 || all.set().points.size() < kMinPoints) return std::nullopt;
-  const WindowData window{.data = all.data_without_other_modes(group), .noise_scale = all.residual_noise(group)};
+  const WindowData window{
+      .data = all.data_without_other_modes(group), .noise_scale = all.residual_noise(group), .noise = all.noise(group)};
   FitGroup several = group;
   several.fit = all.fit(group, window.data, poles, window.noise_scale);
   const std::size_t main = highest_peak(several.fit);
@@ -194,7 +206,8 @@ std::vector<ScatteredMode> scattered_modes(const WindowedFit& all, const FitGrou
   const std::size_t count = all.set().points.size();
   if (count < kMinPoints) return {};
   if ((group.fit.noise.array() / all.noise(group).array()).square().mean() < kMinScatterEnergy) return {};
-  const WindowData window{.data = all.data_without_other_modes(group), .noise_scale = all.residual_noise(group)};
+  const WindowData window{
+      .data = all.data_without_other_modes(group), .noise_scale = all.residual_noise(group), .noise = all.noise(group)};
   const LocalFit common = all.fit(group, window.data, group.fit.poles, window.noise_scale);
   const PointFits points = fit_each_point(all.set(), window, group, common.cost);
   if (points.degrees == 0 || common.degrees <= points.degrees) return {};

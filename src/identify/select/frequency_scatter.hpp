@@ -12,17 +12,19 @@ namespace percuss::identify {
 struct WindowData {
   std::vector<Eigen::VectorXcd> data;  // [channels][group.count]
   Eigen::VectorXd noise_scale;         // [channels] as in fit_locally()
+  Eigen::VectorXd noise;               // [channels] rms noise per line (WindowedFit::noise)
 };
 
-/// Largest cost of separate poles at each point, over the cost of a further common mode, where a frequency scatters. It
-/// exceeds 1, because such a frequency also drifts during the decay, and a further common mode follows this drift
-/// better than separate poles do. For a true pair the ratio is tens to thousands.
-inline constexpr double kMaxScatterCostRatio = 15;
+/// The largest residual energy of separate poles at each point where a frequency scatters, given the energy that a
+/// further common mode leaves and the energy of the noise, all in one unit. Above the noise, it is 15 times that of the
+/// further mode: such a frequency also drifts during the decay, and a further common mode follows this drift better
+/// than separate poles do. For a true pair the ratio is tens to thousands.
+double max_scatter_energy(double further_mode, double noise);
 
 /// Compares two fits of one window by modes common to all points: `one`, and `more`, which has additional modes and was
 /// fitted to this window. True where the additional modes only describe the frequency scatter of the modes of `one`. To
 /// first order, additional modes describe such scatter exactly. The test: separate poles of `one` at each point leave
-/// at most kMaxScatterCostRatio times the cost of `more`. If `one` has a single mode, its frequency must also scatter
+/// at most max_scatter_energy() of `more`. If `one` has a single mode, its frequency must also scatter
 /// as widely as the poles of `more` lie apart. Always false for fewer than three points, because two orthogonal modes
 /// look the same there.
 bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, const FitGroup& one,

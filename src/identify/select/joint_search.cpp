@@ -112,8 +112,8 @@ JointFit with_repeated_modes(const FrfDataset& set, JointFit fit) {
     std::vector<Pole> kept = poles_in_both_halves(set, poles);
     if (kept.size() == poles.size() || kept.empty()) break;
     const std::optional<JointFit> fewer = settled_fit(set, kept, budget, kFinalFits);
-    poles = fewer ? fewer->poles : std::move(kept);
-    if (fewer) fit = with_tested_residues(set, *fewer);
+    if (fewer) return with_tested_residues(set, *fewer);
+    poles = std::move(kept);
   }
   return fit;
 }

@@ -22,6 +22,8 @@ using Eigen::MatrixXcd;
 
 constexpr std::size_t kMinHits = 3;
 constexpr double kReach = 0.1, kMinLines = 40;  // half-width of the fitted lines: of the tone's frequency; at least
+constexpr double kMarginWidths = 5;             // half-power bandwidths from a mode to the end of the fitted lines
+constexpr double kLeastMarginWidths = 2;        // … of a mode whose fitted values count
 constexpr double kToneOff = 0.01;               // relative error of the frequency of a tone that wanders
 constexpr std::size_t kToneLines = 3;           // on either side of its peak
 constexpr double kDominates = 30;               // power of the tone over all else in these lines
@@ -71,11 +73,23 @@ std::optional<Combinations> combinations_without(const Tone& tone, const identif
   return eigen.eigenvectors().leftCols(rest);
 }
 
-// The lines around a tone, and the modes within them.
+// The lines around a tone, and the modes within them. A mode near their end is fitted with lines on both of its sides.
 identify::ModeWindow window_around(const Tone& tone, const identify::FrfDataset& set,
                                    const std::vector<identify::Mode>& modes) {
-  return identify::window_around(set, modes, tone.freq_Hz,
-                                 std::max(kMinLines, kReach * tone.freq_Hz / set.lines.df_Hz()));
+  const double least_Hz = std::max(kMinLines * set.lines.df_Hz(), kReach * tone.freq_Hz);
+  double reach_Hz = least_Hz;
+  for (const identify::Mode& mode : modes) {
+    const double apart_Hz = std::abs(mode.pole.freq_Hz - tone.freq_Hz);
+    const double margin_Hz = kMarginWidths * mode.pole.half_power_Hz();
+    if (apart_Hz < least_Hz + margin_Hz) reach_Hz = std::max(reach_Hz, apart_Hz + margin_Hz);
+  }
+  return identify::window_around(set, modes, tone.freq_Hz, reach_Hz / set.lines.df_Hz());
+}
+
+bool is_well_inside(const identify::Mode& mode, const acquire::LineRange& lines) {
+  const double margin_Hz = kLeastMarginWidths * mode.pole.half_power_Hz();
+  return mode.pole.freq_Hz - margin_Hz > lines.freq_Hz(0) &&
+         mode.pole.freq_Hz + margin_Hz < lines.freq_Hz(lines.count - 1);
 }
 
 // The average and the hits of a window in some combinations of the channels.
@@ -116,13 +130,13 @@ CombinedFrfs combined(const identify::FrfDataset& set, const identify::HitFrfs& 
   return out;
 }
 
-// The modes of the combinations that follow the force.
+// The modes of the combinations that follow the force, and whose two flanks lie within the lines.
 std::vector<identify::Mode> modes_of(const CombinedFrfs& frfs, identify::Effort effort) {
   const std::vector<identify::Mode> found = identify::identify_modes(frfs.set, {.effort = effort});
   const std::vector<std::optional<bool>> agree = identify::residues_agree_between_hits(frfs.set, frfs.hits, found);
   std::vector<identify::Mode> out;
   for (std::size_t m = 0; m < found.size(); ++m)
-    if (agree[m].value_or(false)) out.push_back(found[m]);
+    if (agree[m].value_or(false) && is_well_inside(found[m], frfs.set.lines)) out.push_back(found[m]);
   return out;
 }
 

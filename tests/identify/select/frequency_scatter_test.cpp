@@ -122,4 +122,12 @@ TEST(MergeIfScattered, NeedsThreePoints) {
   EXPECT_FALSE(merge_if_scattered(all, all.groups().front()));
 }
 
+// Far above the noise, 15 times the energy of the further mode; in the noise, a third more than the noise.
+TEST(MaxScatterEnergy, CountsFromTheNoise) {
+  EXPECT_DOUBLE_EQ(max_scatter_energy(10, 0), 150);
+  EXPECT_DOUBLE_EQ(max_scatter_energy(1, 1), 1.3);
+  EXPECT_DOUBLE_EQ(max_scatter_energy(0.9, 1), 1.3);
+  EXPECT_DOUBLE_EQ(max_scatter_energy(1.1, 1), 2.5);
+}
+
 }  // namespace percuss::identify::frequency_scatter_test

@@ -48,4 +48,16 @@ TEST(PolesInBothHalves, LeaveOutAPoleThatTheHalvesPlaceElsewhere) {
   EXPECT_EQ(kept[0].freq_Hz, 350);
 }
 
+// As on a grid of odd length, where a mode moves the corners and not the points between.
+TEST(PolesInBothHalves, HoldAModeThatEverySecondPointHardlyShows) {
+  FrfDataset set = points();
+  const std::vector<Pole> poles{{200, 0.01}, {350, 0.005}};
+  for (std::size_t o = 0; o < kPoints; ++o) {
+    if (o % 2 == 0) test::add_mode(set, o, poles[0], shape(o, 1));
+    test::add_mode(set, o, poles[1], shape(o, 2));
+  }
+  test::add_frf_noise(set, kNoise, 3);
+  EXPECT_EQ(poles_in_both_halves(set, poles).size(), poles.size());
+}
+
 }  // namespace percuss::identify::repeated_modes_test
