@@ -89,6 +89,7 @@ std::vector<Warning> Analysis::warnings() const {
     add(split_mode_warnings(modes(), classifications()));
   }
   remove_consequences_of_window(out);
+  if (has_reversed_phase(record())) remove_consequences_of_reversed_phase(out);
   // Responses that are noise differ from hit to hit.
   if (!silent.empty() && silent.size() == record().accel.size())
     std::erase_if(out, [](const Warning& warning) { return warning.code == "hits_disagree"; });
