@@ -5,8 +5,11 @@ from __future__ import annotations
 import atexit
 import functools
 import inspect
+import numbers
 import os
 from typing import Any, Callable, TypeVar
+
+import numpy as np
 
 from . import _percuss
 from ._argv import declared
@@ -70,8 +73,17 @@ def run_on_data(name: str, command: str, data: tuple[Any, ...], options: dict[st
 
 
 def run_on_documents(name: str, command: str, documents: tuple[Any, ...], options: dict[str, Any]) -> _percuss.CommandResult:
-    """The outcome of a command that reads documents or tables, or nothing."""
+    """The outcome of a command that reads documents or tables, or nothing. Raises TypeError for arrays in compare()."""
+    if command == "compare" and any(_is_array(one) for one in documents):
+        raise TypeError(f"{name}() takes results, their documents or files; percuss.mac() compares arrays of shapes")
     return COMMANDS[command].run(name, list(documents), [], _given(options))
+
+
+def _is_array(value: Any) -> bool:
+    """An array, or numbers in lists and tuples."""
+    while isinstance(value, (list, tuple)) and value:
+        value = value[0]
+    return isinstance(value, (np.ndarray, numbers.Number))
 
 
 def read_files(name: str, command: str, paths: tuple[Any, ...], options: dict[str, Any]) -> Any:

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from ._analyses import Analysis
+from ._optional import table_frame
 
 
 class Survey(Analysis):
@@ -76,6 +77,18 @@ class Survey(Analysis):
     def cmif_frequency_hz(self) -> np.ndarray:
         """(lines,) frequencies of cmif in Hz."""
         return self._shape("cmif_frequency_hz")
+
+    def to_dataframe(self) -> Any:
+        """The table as a pandas.DataFrame, with the columns mpc, modal_mass_kg and modal_mass_std_kg where the modes have
+        shapes (NaN for modes without a modal mass). Needs pandas."""
+        shapes = [mode.get("shape") for mode in self.modes]
+        columns = dict(self.table)
+        if shapes and all(shapes):
+            for name in ("mpc", "modal_mass_kg", "modal_mass_std_kg"):
+                values = np.array([np.nan if shape.get(name) is None else shape[name] for shape in shapes], dtype=float)
+                if not np.isnan(values).all():
+                    columns[name] = values
+        return table_frame(columns)
 
     @property
     def _shape_places(self) -> list[tuple[int, int]]:

@@ -39,6 +39,19 @@ def test_tables_become_data_frames(found, bat):
         percuss.info("none.h5").to_dataframe()
 
 
+def test_data_frames_of_surveys_hold_masses_and_mpc():
+    pytest.importorskip("pandas")
+    plate = percuss.synth("plate").record
+    frame = percuss.survey(plate, band=(40, 450), effort="quick").to_dataframe()
+    assert "mpc" in frame and "modal_mass_kg" not in frame  # no driving point
+    found = percuss.survey(plate, band=(40, 450), effort="quick", driving_point=(7, 0))
+    frame = found.to_dataframe()
+    assert list(frame.columns) == [*found.table, "mpc", "modal_mass_kg", "modal_mass_std_kg"]
+    masses = [mode["shape"].get("modal_mass_kg") for mode in found.modes]
+    assert np.array_equal(frame["modal_mass_kg"], np.array([np.nan if one is None else one for one in masses]), equal_nan=True)
+    assert (frame["modal_mass_std_kg"].notna() == frame["modal_mass_kg"].notna()).all()
+
+
 def curves(axes):
     return [line for line in axes.lines if len(line.get_xdata()) > 2]
 

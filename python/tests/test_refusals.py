@@ -82,6 +82,14 @@ def test_tables_are_finite_and_hold_no_frfs():
     assert "percuss.analyze()" in message_of(TypeError, lambda: percuss.compare(frf, frf))
 
 
+def test_arrays_are_compared_by_mac():
+    beam = percuss.models.beam(support="free", length=0.84, modes=4)
+    for arrays in ((beam, np.eye(2)), ([[1.0, 2.0]], beam)):
+        message = message_of(TypeError, lambda: percuss.compare(*arrays))
+        assert message == "compare() takes results, their documents or files; percuss.mac() compares arrays of shapes"
+    assert percuss.compare(beam, beam.to_dict())["pairs"]
+
+
 def test_records_keep_their_sampling_rate(signals):
     record = percuss.Record(*signals, FS)
     assert "percuss.read() or percuss.Record()" in message_of(TypeError, lambda: percuss.analyze(record, fs=1.0))

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "pipeline/analysis.hpp"
+#include "pipeline/hits/hit_noise.hpp"
 #include "pipeline/warnings/capture_warnings.hpp"
 #include "pipeline/warnings/channel_mode_warnings.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
@@ -50,6 +51,8 @@ std::vector<Warning> Analysis::warnings() const {
   const std::vector<SilentPoint> silent_at =
       responses_.ready() ? silent_points(graded, responses()) : std::vector<SilentPoint>{};
   std::set<std::size_t> silent_hits;
+  if (force_known && responses_.ready() && hits_.ready())
+    silent_hits = hits_that_differ_by_noise(graded, responses(), transform_options());
   for (const SilentPoint& one : silent_at) silent_hits.insert(one.hits.begin(), one.hits.end());
   add(hit_warnings(record(), graded, silent_hits));
   if (force_known) add(point_force_warnings(record(), graded));
@@ -86,6 +89,7 @@ std::vector<Warning> Analysis::warnings() const {
     add(split_mode_warnings(modes(), classifications()));
   }
   remove_consequences_of_window(out);
+  if (has_reversed_phase(record())) remove_consequences_of_reversed_phase(out);
   // Responses that are noise differ from hit to hit.
   if (!silent.empty() && silent.size() == record().accel.size())
     std::erase_if(out, [](const Warning& warning) { return warning.code == "hits_disagree"; });

@@ -14,6 +14,7 @@
 #include "identify/start/cmif.hpp"
 #include "pipeline/radial_shape.hpp"
 #include "pipeline/survey_geometry.hpp"
+#include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
 #include "pipeline/warnings/reference_warnings.hpp"
 
@@ -265,6 +266,7 @@ std::vector<Warning> Survey::warnings() const {
   if (roving_ == identify::Roving::hammer) {
     for (Warning& warning : reference_warnings(results.accel, results.modes)) out.push_back(std::move(warning));
   }
+  if (has_reversed_phase(analysis_.record())) remove_consequences_of_reversed_phase(out);
   return ranked(std::move(out));
 }
 

@@ -85,6 +85,35 @@ TEST_F(MatLinks, AreNotNeededToReadAFile) {
   EXPECT_EQ(std::get<acquire::Record>(opened).rows.at(0).samples, kSamples);
 }
 
+// h5py writes a text of fixed length without a null character at its end.
+TEST_F(MatLinks, AreNotNeededForClassesInTextsOfAnyPadding) {
+  for (const H5T_str_t padding : {H5T_STR_NULLPAD, H5T_STR_NULLTERM, H5T_STR_SPACEPAD}) {
+    for (const std::size_t spare : {0U, 1U, 5U}) {
+      change([&](hid_t file) {
+        for (const char* name : {"fs", "force", "accel"}) {
+          const hid_t set = H5Dopen2(file, name, H5P_DEFAULT);
+          H5Adelete(set, "MATLAB_class");
+          const hid_t type = H5Tcopy(H5T_C_S1), scalar = H5Screate(H5S_SCALAR);
+          std::string text = "double";
+          text.resize(text.size() + spare, padding == H5T_STR_SPACEPAD ? ' ' : '\0');
+          H5Tset_size(type, text.size());
+          H5Tset_strpad(type, padding);
+          const hid_t attribute = H5Acreate2(set, "MATLAB_class", type, scalar, H5P_DEFAULT, H5P_DEFAULT);
+          H5Awrite(attribute, type, text.data());
+          H5Aclose(attribute);
+          H5Sclose(scalar);
+          H5Tclose(type);
+          H5Dclose(set);
+        }
+      });
+      for (const bool sandboxed : {false, true}) {
+        const auto opened = open_measurement(path_, {.read = {.sandboxed = sandboxed}});
+        EXPECT_EQ(std::get<acquire::Record>(opened).rows.at(0).samples, kSamples) << padding << ", " << spare;
+      }
+    }
+  }
+}
+
 TEST_F(MatLinks, ToStorageInAnotherFileAreRefused) {
   const hid_t external = H5Pcreate(H5P_DATASET_CREATE);
   H5Pset_external(external, other_.c_str(), 0, H5F_UNLIMITED);

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <span>
 
+#include "acquire/channels/stored_frfs.hpp"
 #include "pipeline/analysis.hpp"
 #include "support/changed_record.hpp"
 #include "support/force_row.hpp"
@@ -99,6 +101,78 @@ TEST(Warnings, NameAPointAtWhichASensorShowsNothing) {
   EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("dead_channel: "), HasSubstr(" shows only noise at point 7 (hits "))));
   EXPECT_THAT(warnings, Not(Contains(HasSubstr("hits_disagree"))));
   EXPECT_THAT(warnings_of(good, options), Not(Contains(HasSubstr("shows only noise"))));
+}
+
+/// The FRF of one mode at 200 Hz, with this sign of its imaginary part.
+acquire::FrfRecord one_mode_frf(double imaginary_sign) {
+  acquire::StoredFrfs stored;
+  stored.record.lines = {.fs_Hz = 1000, .samples = 2000, .first = 1, .count = 900};
+  stored.record.accel.push_back({.name = "accel 1"});
+  stored.frfs.push_back({.point = 0, .channel = 0});
+  for (std::size_t k = 0; k < stored.record.lines.count; ++k) {
+    const double ratio = stored.record.lines.freq_Hz(k) / 200;
+    const Complex frf = ratio * ratio / Complex(ratio * ratio - 1, -0.02 * ratio);
+    stored.frfs.back().value.emplace_back(frf.real(), imaginary_sign * frf.imag());
+  }
+  return acquire::to_accelerances(std::move(stored), {});
+}
+
+std::vector<std::string> warnings_of_frf(double imaginary_sign) {
+  const Analysis analysis(one_mode_frf(imaginary_sign), band(100, 300));
+  analysis.classifications();
+  return test::lines_of_messages(analysis.warnings());
+}
+
+// Only the cause is named, not the peaks and poles that no mode of exp(+jωt) describes.
+TEST(Warnings, NameFrfsOfReversedPhaseFirstAndAlone) {
+  const std::vector<std::string> reversed = warnings_of_frf(-1);
+  ASSERT_FALSE(reversed.empty());
+  EXPECT_THAT(reversed.front(), testing::StartsWith("reversed_phase: the phase of the FRFs rises through the "));
+  for (const char* consequence : {"no_modes: ", "unclaimed_peaks: ", "unmodelled_poles: ", "model_misfit: ",
+                                  "phase rises through the resonances: "})
+    EXPECT_THAT(reversed, Not(Contains(HasSubstr(consequence))));
+  EXPECT_THAT(warnings_of_frf(1), Not(Contains(HasSubstr("reversed_phase"))));
+}
+
+/// The record with the responses at one point replaced by noise and a wave packet far above a band up to 500 Hz.
+acquire::Record with_noise_in_the_band_at(const acquire::Record& record, int at_point) {
+  return test::with_changed_accel(record, [&, at_point](std::size_t row, std::size_t, std::vector<double>& x) {
+    if (record.rows[row].point != at_point) return;
+    const double middle = 0.1 * static_cast<double>(x.size()), width = 40;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double distance = (static_cast<double>(i) - middle) / width;
+      x[i] = 100 * std::exp(-distance * distance / 2) * std::cos(2.5 * static_cast<double>(i));
+    }
+    test::add_noise(x, 0.1, row);
+  });
+}
+
+// A point on the node lines of all modes in the band: the sensor moves, but the band holds only noise of these hits.
+TEST(Warnings, BlameNoOtherStructureForNoiseInTheBand) {
+  constexpr int kPoint = 7;
+  const acquire::Record good = synth::synthesise(synth::synth_preset("plate")).record;
+  const AnalysisOptions options = band(50, 500);
+  const Analysis analysis(with_noise_in_the_band_at(good, kPoint), options);
+  std::size_t unlike = 0;
+  for (const AnalysedHit& hit : analysis.hits())
+    unlike += hit.accepted && hit.point == kPoint &&
+                      acquire::has_finding(hit.hit.findings, acquire::FindingCode::low_coherence)
+                  ? 1
+                  : 0;
+  EXPECT_EQ(unlike, 2U) << "the finding stays";
+  EXPECT_THAT(test::lines_of_messages(analysis.warnings()), Not(Contains(HasSubstr("hits_disagree"))));
+}
+
+// Of the two hits of a point, one struck another point.
+TEST(Warnings, NameAHitAtAnotherPoint) {
+  acquire::Record record = synth::synthesise(synth::synth_preset("plate")).record;
+  const auto first =
+      std::find_if(record.rows.begin(), record.rows.end(), [](const auto& row) { return row.point == 7; });
+  const auto other =
+      std::find_if(record.rows.begin(), record.rows.end(), [](const auto& row) { return row.point == 12; });
+  first->point = 12;
+  other->point = 7;
+  EXPECT_THAT(warnings_of(record, band(50, 500)), Contains(HasSubstr("hits_disagree: ")));
 }
 
 // The decay of noise ends at once, which leaves few samples of the row.

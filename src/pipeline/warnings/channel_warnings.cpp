@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
+#include <string_view>
 
+#include "acquire/channels/stored_frfs.hpp"
 #include "core/math/statistics.hpp"
 #include "pipeline/warnings/hit_list.hpp"
 
@@ -64,13 +67,36 @@ bool stays_in_noise(const std::vector<std::size_t>& hits, const HitResponses& re
 
 }  // namespace
 
+bool has_reversed_phase(const acquire::Record& record) {
+  return std::any_of(record.notes.begin(), record.notes.end(),
+                     [](const Message& note) { return note.text == acquire::kReversedPhaseNote; });
+}
+
 std::vector<Warning> input_warnings(const acquire::Record& record) {
   std::vector<Warning> out;
   for (const Message& note : record.notes) {
+    if (note.text == acquire::kReversedPhaseNote) {
+      out.push_back(with_remedy({"reversed_phase",
+                                 "the phase of the FRFs rises through the resonances, so that they are probably for "
+                                 "exp(−jωt), and percuss needs exp(+jωt): modes are missing or wrong"},
+                                "reverse the sign of their imaginary part (or of their phase), or exchange the two "
+                                "signals of the cross spectrum in the program that computed them"));
+      continue;
+    }
     out.push_back({.code = "input", .message = note.text, .options = note.options});
     if (note.information) out.back().severity = acquire::Severity::info;
   }
   return out;
+}
+
+void remove_consequences_of_reversed_phase(std::vector<Warning>& warnings) {
+  constexpr std::array<std::string_view, 12> kConsequences{
+      "no_modes",   "unclaimed_peaks", "unmodelled_poles",   "start_refused",
+      "crowded",    "local_fits",      "model_misfit",       "frac",
+      "below_band", "reversed",        "driving_point_sign", "angles_contradicted"};
+  std::erase_if(warnings, [&](const Warning& warning) {
+    return std::find(kConsequences.begin(), kConsequences.end(), warning.code) != kConsequences.end();
+  });
 }
 
 std::vector<Warning> channel_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {

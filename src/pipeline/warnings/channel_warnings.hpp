@@ -7,8 +7,15 @@
 
 namespace percuss::pipeline {
 
-/// input: each note of the reader, as a warning.
+/// Whether the reader found FRFs that are for exp(−jωt). No mode can be fitted to them.
+bool has_reversed_phase(const acquire::Record& record);
+
+/// input: each note of the reader, as a warning. reversed_phase: the note of has_reversed_phase.
 std::vector<Warning> input_warnings(const acquire::Record& record);
+
+/// Removes what only says that the modes do not describe FRFs of reversed phase: missing modes, peaks, poles, residuals
+/// and signs.
+void remove_consequences_of_reversed_phase(std::vector<Warning>& warnings);
 
 /// dead_channel, coarse_steps, channel by channel.
 std::vector<Warning> channel_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);

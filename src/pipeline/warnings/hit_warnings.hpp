@@ -10,8 +10,8 @@
 
 namespace percuss::pipeline {
 
-/// rejected_hits, hits_disagree, polarity, implausible_force, low_bandwidth. `silent`: hits whose responses are noise
-/// alone, which agree with no others.
+/// rejected_hits, hits_disagree, polarity, implausible_force, low_bandwidth. `silent`: hits whose responses, or
+/// what the other hits leave unexplained of them, are noise alone.
 std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                   const std::set<std::size_t>& silent = {});
 

@@ -19,6 +19,7 @@ using warnings::Severity;
 // weak excitation and missing statements; remarks. A cause stands before its consequence: split modes and missing modes
 // before the residual that they leave.
 constexpr auto kRanking = std::to_array<RankedCode>({
+    {"reversed_phase", Severity::reject},
     {"hits_disagree", Severity::reject},
     {"swapped_channels", Severity::reject},
     {"units_differ", Severity::reject},

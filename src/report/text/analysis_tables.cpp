@@ -9,6 +9,7 @@
 #include "core/io/input_file.hpp"
 #include "core/io/significant_digits.hpp"
 #include "core/units.hpp"
+#include "pipeline/warnings/channel_warnings.hpp"
 #include "report/text/number_format.hpp"
 
 namespace percuss::report {
@@ -162,6 +163,7 @@ TextTable modes_table(const pipeline::Analysis& analysis, bool classes) {
 }
 
 const char* no_modes_text(const pipeline::Analysis& analysis) {
+  if (pipeline::has_reversed_phase(analysis.record())) return "no mode fits: the phase of the FRFs is reversed\n";
   return analysis.options().modes.start_Hz.empty() ? "no mode rises above the noise in the band\n"
                                                    : "no mode could be fitted at the starting frequencies\n";
 }

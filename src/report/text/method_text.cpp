@@ -122,7 +122,8 @@ void add_frfs(const pipeline::Analysis& analysis, Sentences& out) {
                            : "FRFs were computed from one hit of each point",
                   name_of(estimator), equation_of(estimator),
                   averaged ? ", with coherence (2.7) and standard deviation (2.8)"
-                           : "; without a second hit, they have no coherence, and no scatter between hits enters the ±",
+                           : "; without a second hit, they have no coherence, and neither scatter between hits nor "
+                             "errors of their place and direction enter the ±",
                   significant(lines.df_Hz(), 4)));
 }
 

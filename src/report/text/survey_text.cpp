@@ -106,6 +106,14 @@ std::string scale_text(const pipeline::Survey& survey) {
       static_cast<std::size_t>(unit) < shapes.size() ? "; the others are scaled to 1 at their largest component" : "");
 }
 
+// A single hit of each point shows no scatter between hits, which holds the errors of their place and direction.
+std::string one_hit_text(const pipeline::Analysis& analysis) {
+  const auto& frfs = analysis.frfs();
+  const bool one_each = std::all_of(frfs.begin(), frfs.end(), [](const auto& one) { return one.frf.averages == 1; });
+  if (analysis.given_frfs() != nullptr || !one_each) return "";
+  return "one hit per point: each ± leaves out errors of the place and direction of the hits; repeat hits\n";
+}
+
 std::string mac_text(const pipeline::Survey& survey) {
   std::string text;
   double most = 0;
@@ -145,7 +153,7 @@ std::string survey_text(const pipeline::Survey& survey, bool hits, std::size_t w
   std::string text = analysis_text(survey.analysis(), {.sections = sections, .width = width, .warnings = false});
   if (survey.analysis().possible()) {
     text += "\n" + modes_text(survey, width) + "\n";
-    if (!survey.shapes().empty()) text += scale_text(survey);
+    if (!survey.shapes().empty()) text += scale_text(survey) + one_hit_text(survey.analysis());
     text += mac_text(survey) + frac_text(survey);
   }
   text += "\n";

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "acquire/channels/signal_table.hpp"
@@ -9,16 +10,23 @@
 
 namespace percuss::acquire {
 
-/// The number for each channel in the variable `name`, [count]; nothing where it is not finite. Nothing for every
-/// channel if there is no such variable, or if it does not hold `count` real numbers.
-std::vector<std::optional<double>> per_channel(const MatFile& file, const char* name, std::size_t count);
+/// The variable `name`; else the field of this name beside the variable `beside` ("test.point" beside "test.force");
+/// else the only field of this name. nullptr if there is none, or if several other structures have one.
+const MatVariable* description_variable(const MatFile& file, std::string_view name, std::string_view beside);
 
-/// The value for `row` in a variable that holds one whole number per hit; 0 if the file has no such variable.
-/// errors  InputError: another number of values, or one that is not whole.
-int whole_number(const MatFile& file, const char* name, std::size_t row, std::size_t rows);
+/// The number for each channel in the variable or field `name`, [count]; nothing where it is not finite. Nothing for
+/// every channel if there is no such variable, or if it does not hold `count` real numbers.
+std::vector<std::optional<double>> per_channel(const MatFile& file, const char* name, std::size_t count,
+                                               std::string_view beside);
+
+/// The whole numbers of `rows` hits in the variable `name`, or in the field of this name; a field with one number
+/// states it for all hits. Zeros if there is none. A note names a field that holds something else. errors  InputError:
+/// a variable, or a field beside the signal `beside`, with another number of values or with one that is not whole.
+std::vector<int> numbers_of_hits(const MatFile& file, const char* name, std::size_t rows, std::string_view beside,
+                                 std::vector<Message>& notes);
 
 /// The number of hits, from the length of `point` or `run`; 0 if the file has neither.
-std::size_t stated_hits(const MatFile& file);
+std::size_t stated_hits(const MatFile& file, std::string_view beside);
 
 /// Whether percuss's own layout uses the name for something else than a signal.
 bool is_own_description(const std::string& name);
@@ -34,11 +42,12 @@ std::string unit_in(const MatFile& file, const std::string& name);
 /// errors  InputError: a variable is named as a power spectral density.
 void refuse_spectral_densities(const MatFile& file);
 
-/// The variable `geometry` as [points][2 or 3], as in Record::geometry. Empty if it is absent or has another shape.
-std::vector<std::vector<double>> geometry_in(const MatFile& file);
+/// The variable or field `geometry` as [points][2 or 3], as in Record::geometry. Empty if it is absent or has another
+/// shape.
+std::vector<std::vector<double>> geometry_in(const MatFile& file, std::string_view beside);
 
 /// Takes the lines and faces between points. Unreadable ones do not make the file an error: another program may use the
 /// name for something else.
-void take_connections(const MatFile& file, SignalTable& table);
+void take_connections(const MatFile& file, SignalTable& table, std::string_view beside);
 
 }  // namespace percuss::acquire

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "acquire/formats/hdf5/hdf5_handle.hpp"
+#include "acquire/formats/hdf5/hdf5_padded_text.hpp"
 #include "acquire/formats/hdf5/hdf5_self_contained.hpp"
 #include "acquire/formats/hdf5/read_hdf5.hpp"
 #include "acquire/formats/mat/mat_completeness.hpp"
@@ -54,6 +55,8 @@ MatFile read_mat_file(const std::string& path) {
   const bool hdf5_inside = is_hdf5(path);
   if (hdf5_inside) hdf5::require_self_contained(path);
   Mat_LogInitFunc("percuss", ignore_log);
+  std::optional<hdf5::PaddedTextConversion> padded_text;
+  if (hdf5_inside) padded_text.emplace();
   const auto file =
       with_memory([&] { return std::unique_ptr<mat_t, CloseMat>(Mat_Open(path.c_str(), MAT_ACC_RDONLY)); });
   if (!file) throw InputError("the MAT file cannot be read", path, "is it damaged? Save it again");
@@ -85,8 +88,9 @@ MatFile read_mat_file(const std::string& path) {
                      "is it damaged? Save it again");
   }
   if (hdf5_inside && out.variables.empty() && out.notes.empty()) {
-    throw InputError("no array has the attribute MATLAB_class, which marks the arrays of a MAT file", path,
-                     "save it with MATLAB, Octave or SciPy, or as HDF5 without MATLAB's first 512 bytes");
+    throw InputError(
+        "no array has the attribute MATLAB_class as a text of fixed length, which marks the arrays of a MAT file", path,
+        "save it with MATLAB, Octave or SciPy, or as HDF5 without MATLAB's first 512 bytes");
   }
   return out;
 }

@@ -35,9 +35,10 @@ struct MatFile {
 bool is_mat(std::string_view head);
 
 /// Reads all variables of numbers and texts; fields of structures and cells become variables. In a structure array or
-/// cell array, real arrays of equal size become a matrix [elements, size]. A structure array whose texts name channels
-/// (name, label, …; one of them a force) gives variables of these names. The notes name sparse arrays, functions,
-/// objects and other variables that are not read.
+/// cell array, real arrays of equal size become a matrix [elements, size]; matrices of one shape become an array
+/// [elements, shorter side, longer side]. A structure array whose texts name channels (name, label, …; one of them a
+/// force) gives variables of these names. The notes name sparse arrays, functions, objects and other variables that are
+/// not read.
 /// errors  InputError: damaged; data or links in other files; more numbers than claim_limit_bytes allows.
 MatFile read_mat_file(const std::string& path);
 

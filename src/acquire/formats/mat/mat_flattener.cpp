@@ -139,6 +139,26 @@ bool holds_samples(const MatField& field) {
          std::all_of(field.values.begin(), field.values.end(), is_array);
 }
 
+// Real arrays of equal size as one array: vectors and unlike matrices as [elements, size], matrices of one shape as
+// [elements, shorter side, longer side], the layout of accelerations [hits, channels, samples].
+MatVariable stacked(const std::string& name, const std::vector<MatVariable>& parts) {
+  const std::size_t elements = parts.size(), length = parts.front().size();
+  std::vector<std::size_t> sides = parts.front().shape;
+  std::erase(sides, std::size_t{1});
+  const bool alike =
+      std::all_of(parts.begin(), parts.end(), [&](const MatVariable& v) { return v.shape == parts.front().shape; });
+  const bool matrices = alike && sides.size() == 2;
+  const bool turned = matrices && sides[0] > sides[1];
+  MatVariable out{.name = name, .shape = {elements, length}};
+  if (matrices) out.shape = {elements, std::min(sides[0], sides[1]), std::max(sides[0], sides[1])};
+  out.real.reserve(elements * length);
+  for (std::size_t i = 0; i < length; ++i) {
+    const std::size_t from = turned ? i / sides[1] + i % sides[1] * sides[0] : i;
+    for (const MatVariable& part : parts) out.real.push_back(part.real[from]);
+  }
+  return out;
+}
+
 MatVariable described(const std::string& name, const matvar_t* variable) {
   MatVariable out{.name = name};
   for (int i = 0; i < variable->rank; ++i) out.shape.push_back(variable->dims[i]);
@@ -277,11 +297,7 @@ void MatFlattener::add_elements(const std::string& name, const std::vector<const
     return !v.is_text && !v.is_complex() && v.size() == parts.variables.front().size();
   };
   if (alike && std::all_of(parts.variables.begin(), parts.variables.end(), same)) {
-    const std::size_t rows = parts.variables.size(), length = parts.variables.front().size();
-    MatVariable stacked{.name = name + suffix, .shape = {rows, length}};
-    stacked.real.resize(rows * length);
-    for (std::size_t i = 0; i < rows * length; ++i) stacked.real[i] = parts.variables[i % rows].real[i / rows];
-    out_.variables.push_back(std::move(stacked));
+    out_.variables.push_back(stacked(name + suffix, parts.variables));
   } else {
     for (MatVariable& part : parts.variables) out_.variables.push_back(std::move(part));
   }

@@ -46,8 +46,8 @@ class MatFlattener {
   // Adds a structure array whose elements are channels of these names. If only one field holds samples, its variables
   // are named as the channels, so that a unit in the name is found; otherwise CHANNEL.FIELD.
   void add_channels(const std::vector<std::string>& names, const std::vector<MatField>& fields);
-  // Adds the cells of a cell array, or one field of a structure array: as one matrix with a row per element if all
-  // elements are real arrays of equal size and equal name, else one by one.
+  // Adds the cells of a cell array, or one field of a structure array: as one array whose first index is the element if
+  // all elements are real arrays of equal size and equal name, else one by one.
   void add_elements(const std::string& name, const std::vector<const matvar_t*>& elements_of, char open, char close);
 
   MatFile& out_;

@@ -74,12 +74,6 @@ bool is_mat_vector(const MatVariable& variable) {
   return beyond_one == 1 && variable.size() > 1;
 }
 
-const MatVariable* real_matrix(const MatFile& file, std::string_view name) {
-  const MatVariable* const found = find_variable(file, name);
-  const bool real = found != nullptr && !found->is_text && !found->is_complex();
-  return real && found->shape.size() == 2 ? found : nullptr;
-}
-
 std::optional<double> mat_number(const MatFile& file, std::initializer_list<std::string_view> names) {
   for (const std::string_view wanted : names) {
     for (const MatVariable& variable : file.variables) {

@@ -16,9 +16,6 @@ std::string_view field_name(std::string_view name);
 /// Whether the variable is a vector: all but one dimension are 1, and it holds two numbers or more.
 bool is_mat_vector(const MatVariable& variable);
 
-/// The variable of this name if it is a matrix of real numbers, else nullptr.
-const MatVariable* real_matrix(const MatFile& file, std::string_view name);
-
 /// The sampling rate: from the options, else from a number named fs, sample_rate, dt and the like, else from a time
 /// vector. Nothing when there is none.
 /// errors  InputError: the variable that options.fs_variable names (a rate or a time vector) is missing or holds no

@@ -132,7 +132,7 @@ bool has_layout_of(const MatVariable& frf, const MatVariable& other) {
 // A real array of the FRFs' shape (standard deviations, coherence). nullptr if it is absent or unsuitable; a note names
 // an unsuitable one.
 const MatVariable* companion_of(const MatFile& file, const MatVariable& frf, const char* name, StoredFrfs& out) {
-  const MatVariable* const found = find_variable(file, name);
+  const MatVariable* const found = description_variable(file, name, frf.name);
   if (found == nullptr) return nullptr;
   if (has_layout_of(frf, *found)) return found;
   out.record.notes.emplace_back(
@@ -170,8 +170,8 @@ std::vector<double> values_of(const MatFile& file, const MatVariable* companion,
 }
 
 // The numbers of the points; from 0 if the file does not number them.
-std::vector<int> point_numbers_in(const MatFile& file, std::size_t count) {
-  const MatVariable* const numbers = find_variable(file, "point");
+std::vector<int> point_numbers_in(const MatFile& file, const MatVariable& frf, std::size_t count) {
+  const MatVariable* const numbers = description_variable(file, "point", frf.name);
   if (numbers != nullptr && numbers->size() == count) {
     const std::string where = file.path + ": point";
     if (numbers->is_complex()) refuse_point_numbers(where);
@@ -183,7 +183,7 @@ std::vector<int> point_numbers_in(const MatFile& file, std::size_t count) {
 }
 
 void read_frfs(const MatFile& file, const MatVariable& frf, const MatFrfLayout& layout, StoredFrfs& out) {
-  const std::vector<int> points = point_numbers_in(file, layout.points);
+  const std::vector<int> points = point_numbers_in(file, frf, layout.points);
   const MatVariable* const std = companion_of(file, frf, "frf_std", out);
   const MatVariable* const coherence = coherence_of(file, frf, out);
   const auto averages = mat_number(file, {"averages"}).value_or(0);
@@ -203,9 +203,9 @@ void read_frfs(const MatFile& file, const MatVariable& frf, const MatFrfLayout& 
   }
 }
 
-void describe_mat_channels(const MatFile& file, std::size_t channels, StoredFrfs& out) {
-  const auto angle_deg = per_channel(file, "angle_deg", channels);
-  const auto position_m = per_channel(file, "position_m", channels);
+void describe_mat_channels(const MatFile& file, const MatVariable& frf, std::size_t channels, StoredFrfs& out) {
+  const auto angle_deg = per_channel(file, "angle_deg", channels, frf.name);
+  const auto position_m = per_channel(file, "position_m", channels, frf.name);
   for (std::size_t c = 0; c < channels; ++c) {
     SignalInfo signal{.name = channel_name(c), .position_m = position_m[c]};
     if (angle_deg[c]) signal.angle_rad = *angle_deg[c] * kDegree_rad;
@@ -253,7 +253,7 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
   }
   out.record.decay_per_s = std::max(0.0, mat_number(file, {"decaypers"}).value_or(0));
   if (!frequencies.note.empty()) out.record.notes.emplace_back(frequencies.note);
-  describe_mat_channels(file, layout.channels, out);
+  describe_mat_channels(file, frf, layout.channels, out);
   if (layout.points > 1 && !is_named_frf) {
     out.record.notes.push_back(information(fmt::format(
         "the {} FRFs of {} are taken as points of {}", layout.points * layout.channels, one_line(frf.name, 40),

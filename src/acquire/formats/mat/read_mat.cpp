@@ -99,7 +99,7 @@ MatLayout layout_without_force(OpenMat& open, const SignalRoles& roles, const st
                                const ReadOptions& options, SignalTable& table) {
   const MatVariable& first = open.file.variables[index[roles.accel.front()]];
   const TableSignal& signal = table.signals[roles.accel.front()];
-  const MatLayout layout = response_layout(first, stated_hits(open.file), open.file.path);
+  const MatLayout layout = response_layout(first, stated_hits(open.file, first.name), open.file.path);
   const bool one_row = first.shape.size() == 2 && layout.rows == 1 && first.size() > layout.samples;
   if (!one_row) return layout;
   const auto unit = parse_unit(signal.unit.empty() ? split_name(signal.name).unit : signal.unit);
@@ -123,6 +123,11 @@ MatLayout layout_without_force(OpenMat& open, const SignalRoles& roles, const st
   return layout;
 }
 
+// The name of the force, else of the first response. Fields beside it describe the record.
+const std::string& name_beside(const OpenMat& open, const SignalRoles& roles, const std::vector<std::size_t>& index) {
+  return open.file.variables[index[roles.has_force ? roles.force : roles.accel.front()]].name;
+}
+
 // Signal 0 is the force, if there is one; the channels of each acceleration follow.
 void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::size_t>& index, const ReadOptions& options,
              SignalTable& table) {
@@ -137,6 +142,7 @@ void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::siz
   } else {
     layout = layout_without_force(open, roles, index, options, table);
   }
+  const std::string beside = name_beside(open, roles, index);
   const std::size_t first_accel = signals.size();
   for (const std::size_t role : roles.accel) {
     const MatVariable& variable = open.file.variables[index[role]];
@@ -152,17 +158,17 @@ void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::siz
     }
   }
   const std::size_t accels = signals.size() - first_accel;
-  const auto angle_deg = per_channel(open.file, "angle_deg", accels);
-  const auto position_m = per_channel(open.file, "position_m", accels);
+  const auto angle_deg = per_channel(open.file, "angle_deg", accels, beside);
+  const auto position_m = per_channel(open.file, "position_m", accels, beside);
   for (std::size_t c = 0; c < accels; ++c) {
     if (angle_deg[c]) signals[first_accel + c].angle_rad = *angle_deg[c] * kDegree_rad;
     signals[first_accel + c].position_m = position_m[c];
   }
   table.signals = std::move(signals);
+  const std::vector<int> point = numbers_of_hits(open.file, "point", layout.rows, beside, table.notes);
+  const std::vector<int> run = numbers_of_hits(open.file, "run", layout.rows, beside, table.notes);
   for (std::size_t row = 0; row < layout.rows; ++row) {
-    table.rows.push_back({.samples = layout.samples,
-                          .point = whole_number(open.file, "point", row, layout.rows),
-                          .run = whole_number(open.file, "run", row, layout.rows)});
+    table.rows.push_back({.samples = layout.samples, .point = point[row], .run = run[row]});
     require_point_number(table.rows.back().point, open.file.path + ": point");
   }
   table.continuous = mat_number(open.file, {"continuous"}).value_or(layout.rows == 1 ? 1 : 0) != 0;
@@ -220,8 +226,9 @@ Record open_mat(MatFile file, const ReadOptions& options) {
                      {"fs"});
   }
   lay_out(*open, variables, index, options, table);
-  table.geometry = geometry_in(open->file);
-  take_connections(open->file, table);
+  const std::string beside = name_beside(*open, variables, index);
+  table.geometry = geometry_in(open->file, beside);
+  take_connections(open->file, table, beside);
   const SignalRoles roles = chosen_roles(table, open->file, options, variables.has_force);
   std::vector<bool> used(open->file.variables.size(), false);
   for (const auto& source : open->sources) used[source.variable] = true;

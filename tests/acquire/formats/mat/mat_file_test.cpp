@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "acquire/formats/mat/mat_flattener.hpp"
 #include "support/files/mat_builder.hpp"
@@ -109,6 +111,33 @@ TEST_F(MatFiles, HoldCellsAsMatricesOrOneByOne) {
   EXPECT_NE(find_variable(read, "mixed{1}"), nullptr);
   EXPECT_NE(find_variable(read, "mixed{2}"), nullptr);
   EXPECT_NE(find_variable(read, "single"), nullptr);
+}
+
+// A structure array with the samples [samples, channels] of each hit, and one with [channels, samples].
+TEST_F(MatFiles, StackMatricesAsHitsChannelsAndSamples) {
+  const auto matrix = [](std::size_t rows, std::size_t columns, double first) {
+    std::array<std::size_t, 2> shape{rows, columns};
+    std::vector<double> values(rows * columns);
+    std::iota(values.begin(), values.end(), first);
+    return Mat_VarCreate(nullptr, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, shape.data(), values.data(), 0);
+  };
+  {
+    MatWriter file(path_);
+    file.put(MatWriter::cell("upright", {matrix(3, 2, 0), matrix(3, 2, 10)}));
+    file.put(MatWriter::cell("lying", {matrix(2, 3, 0), matrix(2, 3, 10)}));
+    file.put(MatWriter::cell("unlike", {matrix(2, 3, 0), matrix(3, 2, 10)}));
+  }
+  const MatFile read = read_mat_file(path_);
+  const MatVariable* const upright = find_variable(read, "upright");
+  ASSERT_NE(upright, nullptr);
+  EXPECT_THAT(upright->shape, ElementsAre(2, 2, 3));
+  EXPECT_THAT(upright->real, ElementsAre(0, 10, 3, 13, 1, 11, 4, 14, 2, 12, 5, 15));
+  const MatVariable* const lying = find_variable(read, "lying");
+  ASSERT_NE(lying, nullptr);
+  EXPECT_THAT(lying->shape, ElementsAre(2, 2, 3));
+  EXPECT_THAT(lying->real, ElementsAre(0, 10, 1, 11, 2, 12, 3, 13, 4, 14, 5, 15));
+  ASSERT_NE(find_variable(read, "unlike"), nullptr);
+  EXPECT_THAT(find_variable(read, "unlike")->shape, ElementsAre(2, 6));
 }
 
 TEST_F(MatFiles, KeepTheNamesOfInnerFields) {

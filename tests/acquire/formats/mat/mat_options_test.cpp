@@ -141,6 +141,50 @@ TEST(MatOptions, NumberHitsByWholeNumbers) {
   }
 }
 
+/// Two hits of four samples as the fields of a structure, with further variables.
+acquire::MatFile in_structure(const std::vector<MatVariable>& more) {
+  std::vector<MatVariable> all{mat_numbers("test.force", {2, 4}, {0, 0, 1, 2, 0, 0, 0, 0}),
+                               mat_numbers("test.accel", {2, 4}, {0, 0, 1, 2, 1, 2, 1, 2})};
+  all.insert(all.end(), more.begin(), more.end());
+  return test::mat_record_of(all);
+}
+
+TEST(MatOptions, AreReadFromTheStructureOfTheForce) {
+  const Record record = open_mat(
+      in_structure({mat_numbers("test.point", {2, 1}, {4, 2}), mat_numbers("test.run", {1, 1}, {3}),
+                    mat_numbers("test.geometry", {2, 2}, {0, 1, 0, 0}), mat_numbers("test.trace_lines", {1, 2}, {0, 1}),
+                    mat_numbers("test.angle_deg", {1, 1}, {180}), mat_numbers("test.position_m", {1, 1}, {0.25}),
+                    mat_numbers("other.point", {2, 1}, {8, 9})}),
+      {});
+  ASSERT_EQ(record.rows.size(), 2U);
+  EXPECT_EQ(record.rows[0].point, 4);
+  EXPECT_EQ(record.rows[1].point, 2);
+  EXPECT_EQ(record.rows[0].run, 3) << "one number states the run of all hits";
+  EXPECT_EQ(record.rows[1].run, 3);
+  EXPECT_EQ(record.geometry.size(), 2U);
+  EXPECT_EQ(record.trace_lines.size(), 1U);
+  EXPECT_DOUBLE_EQ(record.accel[0].angle_rad.value(), std::acos(-1));
+  EXPECT_EQ(record.accel[0].position_m, 0.25);
+}
+
+TEST(MatOptions, AreReadFromTheOnlyStructureThatHasThem) {
+  const MatVariable other = mat_numbers("setup.point", {1, 2}, {5, 6});
+  EXPECT_EQ(open_mat(in_structure({other}), {}).rows[1].point, 6);
+  EXPECT_EQ(open_mat(in_structure({other, mat_numbers("more.point", {1, 2}, {7, 8})}), {}).rows[1].point, 0);
+  EXPECT_EQ(open_mat(in_structure({other, mat_numbers("point", {1, 2}, {1, 2})}), {}).rows[1].point, 2);
+}
+
+TEST(MatOptions, AreNamedWhereAStructureHoldsSomethingElse) {
+  EXPECT_EQ(test::input_error_of([] {
+              open_mat(in_structure({mat_numbers("test.point", {3, 1}, {1, 2, 3})}), {});
+            }),
+            "not one whole number for each of 2 hits (x.mat: test.point); store one per hit");
+  const Record record = open_mat(in_structure({mat_numbers("setup.run", {3, 1}, {1, 2, 3})}), {});
+  EXPECT_EQ(record.rows[0].run, 0);
+  EXPECT_THAT(record.notes,
+              testing::Contains(Message("setup.run is not used: it is not one whole number for each of 2 hits")));
+}
+
 TEST(MatOptions, NameTheRate) {
   const auto rate_Hz = [](const MatVariable& named) {
     return open_mat(example({named}), {.fs_variable = named.name}).fs_Hz;

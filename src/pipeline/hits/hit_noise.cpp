@@ -1,0 +1,61 @@
+#include "pipeline/hits/hit_noise.hpp"
+
+#include <cmath>
+#include <complex>
+#include <optional>
+#include <span>
+
+#include "pipeline/hits/motion_before.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+// Of the unexplained energy over the noise's. The noise of the other hits adds up to one part to this hit's own, and
+// sixteen samples before a hit determine the energy of the noise to a third.
+constexpr double kClearOfNoise = 4;
+
+// Σ w² of the exponential window over the samples: the energy of white noise of variance 1 on a spectral line.
+double window_energy(const TransformOptions& options) {
+  const auto samples = static_cast<double>(options.lines.samples);
+  const double exponent = 2 * options.window_decay_per_s / options.lines.fs_Hz;
+  return exponent > 0 ? std::expm1(-exponent * samples) / std::expm1(-exponent) : samples;
+}
+
+double energy_of(std::span<const Complex> spectrum) {
+  double energy = 0;
+  for (const Complex& line : spectrum) energy += std::norm(line);
+  return energy;
+}
+
+std::optional<double> explained_share(const AnalysedHit& hit) {
+  for (const acquire::Finding& finding : hit.hit.findings) {
+    if (finding.code == acquire::FindingCode::low_coherence) return finding.value;
+  }
+  return std::nullopt;
+}
+
+bool differs_by_noise(const std::vector<HitResponse>& responses, double explained, double line_energy) {
+  double response = 0, noise = 0;
+  for (const HitResponse& one : responses) {
+    if (!one.rest.before) return false;
+    response += energy_of(one.spectrum);
+    noise += one.rest.noise * one.rest.noise * line_energy * static_cast<double>(one.spectrum.size());
+  }
+  return (1 - explained) * response <= kClearOfNoise * noise;
+}
+
+}  // namespace
+
+std::set<std::size_t> hits_that_differ_by_noise(const std::vector<AnalysedHit>& hits, const HitResponses& responses,
+                                                const TransformOptions& options) {
+  const double line_energy = window_energy(options);
+  std::set<std::size_t> out;
+  for (const std::size_t h : accepted_hits(hits)) {
+    const std::optional<double> explained = explained_share(hits[h]);
+    if (!explained || h >= responses.of.size() || may_ring_before(hits[h])) continue;
+    if (differs_by_noise(responses.of[h], *explained, line_energy)) out.insert(h);
+  }
+  return out;
+}
+
+}  // namespace percuss::pipeline
