@@ -196,6 +196,27 @@ TEST_F(AnalyzeResponses, WritesTheModesThatAreAskedFor) {
   EXPECT_THAT(shapes.err, HasSubstr("--modes-file needs a force"));
 }
 
+// Two microphones are no accelerometers on a tube.
+TEST_F(AnalyzeResponses, NamesNoBendingOfPressures) {
+  std::string text = "mic1_Pa,mic2_Pa\n", other = "a,b\n";
+  for (const double x : test::ping(1e-3)) {
+    text += std::to_string(x) + "," + std::to_string(0.8 * x) + "\n";
+    other += std::to_string(x) + "," + std::to_string(0.8 * x) + "\n";
+  }
+  test::write_bytes(folder_.file("mics.csv"), text);
+  test::write_bytes(folder_.file("other.csv"), other);
+  const auto named = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "analyze");
+    arguments.insert(arguments.end(), {"--fs", "44100", "--band", "500:6000"});
+    const auto outcome = run_percuss(arguments, {.folder = folder_.path()});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.out.find("bending") != std::string::npos;
+  };
+  EXPECT_FALSE(named({"mics.csv"}));
+  EXPECT_FALSE(named({"other.csv", "--accel-channel", "1,2", "--unit", "Pa"}));
+  EXPECT_TRUE(named({"other.csv", "--accel-channel", "1,2"}));
+}
+
 TEST_F(AnalyzeResponses, RefusesWhatNeedsAForce) {
   for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{{"--estimator", "h2"},
                                                                                     {"--only", "frf"},
