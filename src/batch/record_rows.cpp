@@ -14,6 +14,8 @@
 #include "batch/sha256_file.hpp"
 #include "core/budget.hpp"
 #include "core/error.hpp"
+#include "pipeline/response/missing_results.hpp"
+#include "pipeline/response/response_test.hpp"
 #include "pipeline/run_analyses.hpp"
 #include "report/frf_files.hpp"
 #include "report/text/analysis_text.hpp"
@@ -49,6 +51,7 @@ struct RowContents {
   Json fs_Hz, band_Hz{Json(), Json()};
   std::size_t accepted = 0, rejected = 0;
   std::set<acquire::FindingCode> findings;
+  bool short_hit = false;             // the finding of a rejected hit of a record without a force
   std::vector<std::string> warnings;  // in order of appearance
   std::vector<Json> modes;
   std::vector<Json> frfs;
@@ -81,19 +84,34 @@ Json row_start(const char* kind, const BatchRecord& record) {
   return {{"row", kind}, {"id", record.id}, {"path", record.path}};
 }
 
-void add_modes(RowContents& rows, const BatchRecord& record, int run, const pipeline::Analysis& analysis) {
-  for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
-    const identify::Mode& mode = analysis.modes()[m];
-    Json row = row_start("mode", record);
-    row["run"] = run;
-    row["index"] = m;
-    row["frequency_hz"] = mode.pole.freq_Hz;
-    row["frequency_std_hz"] = mode.freq_std_Hz;
-    row["damping_ratio"] = mode.pole.damping_ratio;
-    row["damping_ratio_std"] = mode.damping_std;
-    add_classification(row, analysis.classifications()[m]);
-    rows.modes.push_back(std::move(row));
+/// The place of a mode among the results.
+struct ModeOfRun {
+  int run = 0;
+  std::size_t index = 0;
+};
+
+void add_mode(RowContents& rows, const BatchRecord& record, const ModeOfRun& at, const identify::Mode& mode,
+              const identify::ModeClassification& classification) {
+  Json row = row_start("mode", record);
+  row["run"] = at.run;
+  row["index"] = at.index;
+  row["frequency_hz"] = mode.pole.freq_Hz;
+  row["frequency_std_hz"] = mode.freq_std_Hz;
+  row["damping_ratio"] = mode.pole.damping_ratio;
+  row["damping_ratio_std"] = mode.damping_std;
+  add_classification(row, classification);
+  rows.modes.push_back(std::move(row));
+}
+
+void add_warnings(RowContents& rows, const std::vector<pipeline::Warning>& warnings) {
+  for (const pipeline::Warning& warning : warnings) {
+    auto& known = rows.warnings;
+    if (std::find(known.begin(), known.end(), warning.code) == known.end()) known.push_back(warning.code);
   }
+}
+
+std::string written(const Message& message, OptionWriter write_option) {
+  return write_option != nullptr ? message.written(write_option) : message.text;
 }
 
 void add_run(RowContents& rows, const BatchRecord& record, const pipeline::RunAnalysis& test,
@@ -104,21 +122,60 @@ void add_run(RowContents& rows, const BatchRecord& record, const pipeline::RunAn
   add_hits(rows, analysis);
   if (analysis.possible()) {
     rows.band_Hz = {analysis.band_Hz().first, analysis.band_Hz().second};
-    add_modes(rows, record, test.run, analysis);
+    for (std::size_t m = 0; m < analysis.modes().size(); ++m)
+      add_mode(rows, record, {.run = test.run, .index = m}, analysis.modes()[m], analysis.classifications()[m]);
   } else {
     rows.code = kImpossible;
-    const Message reason = report::no_usable_hit();
-    rows.reason = options.write_option != nullptr ? reason.written(options.write_option) : reason.text;
+    rows.reason = written(report::no_usable_hit(), options.write_option);
   }
-  for (const pipeline::Warning& warning : analysis.warnings()) {
-    auto& known = rows.warnings;
-    if (std::find(known.begin(), known.end(), warning.code) == known.end()) known.push_back(warning.code);
-  }
+  add_warnings(rows, analysis.warnings());
   if (!options.frf || !analysis.possible()) return;
   Json row = row_start("frf", record);
   row["run"] = test.run;
   row["packed"] = serialize_frfs(report::frf_record_of(analysis));
   rows.frfs.push_back(std::move(row));
+}
+
+// Refuses, as the command `analyze` does, options that need a force.
+void require_no_force_options(const RowOptions& options) {
+  const std::vector<OptionId> stated = pipeline::stated_force_options(options.analysis);
+  if (stated.empty()) return;
+  const auto write = [&](const OptionId& id) {
+    return options.write_option != nullptr ? options.write_option(id) : id;
+  };
+  throw UsageError(write(stated.front()) + " needs a force, and none was recorded",
+                   fmt::format("leave it out, or name the force's channel ({})", write("force_channel")));
+}
+
+// A run of a record without a force. There are no FRFs.
+void add_response_run(RowContents& rows, const BatchRecord& record, int run, const pipeline::ResponseTest& test,
+                      const RowOptions& options) {
+  rows.fs_Hz = test.record.fs_Hz;
+  for (const pipeline::ResponseHit& hit : test.hits) {
+    ++(hit.accepted ? rows.accepted : rows.rejected);
+    rows.short_hit = rows.short_hit || !hit.reason.empty();
+  }
+  if (test.possible()) {
+    rows.band_Hz = {test.band_Hz.first, test.band_Hz.second};
+    for (std::size_t m = 0; m < test.found.modes.size(); ++m)
+      add_mode(rows, record, {.run = run, .index = m}, test.found.modes[m].mode, test.classifications[m]);
+  } else {
+    rows.code = kImpossible;
+    rows.reason = written(pipeline::why_impossible(test), options.write_option);
+  }
+  add_warnings(rows, test.warnings);
+}
+
+void add_runs(RowContents& rows, const BatchRecord& record, acquire::Measurement opened, const RowOptions& options) {
+  const auto* const one = std::get_if<acquire::Record>(&opened);
+  if (one == nullptr || one->has_force) {
+    for (const pipeline::RunAnalysis& test : pipeline::analyses_of_runs(std::move(opened), options.analysis))
+      add_run(rows, record, test, options);
+    return;
+  }
+  require_no_force_options(options);
+  for (auto& [run, part] : pipeline::split_runs(*one))
+    add_response_run(rows, record, run, pipeline::analyse_responses(std::move(part), options.analysis), options);
 }
 
 // The codes and messages of the command `analyze`.
@@ -132,8 +189,7 @@ RowContents row_contents_of(const BatchRecord& record, const RowOptions& options
     auto opened = options.fork_server != nullptr
                       ? acquire::open_measurement_forked(options.fork_server, record.path, options.read)
                       : acquire::open_measurement(record.path, options.read);
-    for (const pipeline::RunAnalysis& test : pipeline::analyses_of_runs(std::move(opened), options.analysis))
-      add_run(rows, record, test, options);
+    add_runs(rows, record, std::move(opened), options);
     return rows;
   } catch (const UsageError& e) {
     return failed_record(kUsageError, e.what());
@@ -168,6 +224,7 @@ Json record_row(const BatchRecord& record, const RowContents& rows) {
   row["modes"] = rows.modes.size();
   row["findings"] = Json::array();
   for (const acquire::FindingCode code : rows.findings) row["findings"].push_back(name_of(code));
+  if (rows.short_hit) row["findings"].push_back("short_hit");
   row["warnings"] = rows.warnings;
   return row;
 }

@@ -10,6 +10,7 @@ template <class AnyRecord>
 void assume_two_angles(AnyRecord& record, identify::ClassifyOptions& options) {
   options.angles_assumed = false;
   if (record.accel.size() != 2 || record.accel[0].angle_rad || record.accel[1].angle_rad) return;
+  if (is_pressure(record.accel[0]) || is_pressure(record.accel[1])) return;
   if (options.object == identify::ObjectKind::other) return;
   if (options.object == identify::ObjectKind::automatic && !record.geometry.empty()) return;
   record.accel[0].angle_rad = 0;

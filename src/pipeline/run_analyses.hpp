@@ -11,8 +11,9 @@ namespace percuss::pipeline {
 /// The runs of a record (repeated tests in one file) as records of their own, ascending by run.
 std::vector<std::pair<int, acquire::Record>> split_runs(const acquire::Record& record);
 
-/// Sets the angles of two channels that state none to 0° and 90°, as in the two-accelerometer test of a tube. Not for
-/// an `other` object, and for an `automatic` one only where the file holds no geometry. Notes it in the options.
+/// Sets the angles of two accelerations that state none to 0° and 90°, as in the two-accelerometer test of a tube. Not
+/// for pressures, not for an `other` object, and for an `automatic` one only where the file holds no geometry. Notes it
+/// in the options.
 void assume_angles(acquire::Record& record, identify::ClassifyOptions& options);
 void assume_angles(acquire::FrfRecord& frfs, identify::ClassifyOptions& options);
 

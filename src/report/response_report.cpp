@@ -24,13 +24,18 @@ namespace {
 constexpr std::size_t kMaxShapeColumns = 6;
 constexpr auto kRight = TextTable::Align::right;
 
+const char* plural(std::size_t count) { return count == 1 ? "" : "s"; }
+
 std::string heading(const pipeline::ResponseTest& test) {
   const acquire::Record& record = test.record;
+  const std::size_t impacts = pipeline::count_impacts(test);
+  const std::string found = impacts == 0 ? "no impact found ·" : fmt::format("{} impact{} ×", impacts, plural(impacts));
   std::string text =
-      fmt::format("{}\n  {} · responses only · {} impact{} × {} channel{}", source_name(record),
-                  rounded_frequency_text(record.fs_Hz), test.hits.size(), test.hits.size() == 1 ? "" : "s",
-                  record.accel.size(), record.accel.size() == 1 ? "" : "s");
-  if (test.possible()) {
+      fmt::format("{}\n  {} · responses only · {} {} channel{}", source_name(record),
+                  rounded_frequency_text(record.fs_Hz), found, record.accel.size(), plural(record.accel.size()));
+  if (test.fitted && test.possible() && impacts == 0) {
+    text += fmt::format(" · band {}–{} Hz", hertz_text(test.band_Hz.first), hertz_text(test.band_Hz.second));
+  } else if (test.fitted && test.possible()) {
     text += fmt::format(" · band {}–{} Hz\n  free decay from {:.3g} ms after the impact on, {:.4g} s long",
                         hertz_text(test.band_Hz.first), hertz_text(test.band_Hz.second), 1e3 * test.start_s,
                         static_cast<double>(test.samples) / record.fs_Hz - test.start_s);
@@ -45,6 +50,8 @@ TextTable hits_table(const pipeline::ResponseTest& test) {
     std::string verdict = hit.accepted ? "ok" : "rejected";
     if (hit.by_user) verdict += hit.accepted ? " (accepted by the user)" : " (by the user)";
     if (!hit.reason.empty()) verdict += ": " + hit.reason;
+    if (!test.fitted && hit.accepted && !hit.impact.whole_pulse)
+      verdict += " if the row begins within a decay: no impact rises in it";
     table.add({fmt::format("{}", h + 1), fmt::format("{}", hit.impact.row),
                hit.impact.whole_pulse ? fmt::format("{:.4f} s", hit.onset_s) : "before the row", verdict},
               hit.accepted);
@@ -58,9 +65,9 @@ std::string shape_text(const identify::Residue& residue) {
   return fmt::format("{} ∠ {:.0f}°", value_with_std(std::abs(residue.value), residue.std), shown);
 }
 
-TextTable modes_table(const pipeline::ResponseTest& test) {
-  const bool named = std::any_of(test.classifications.begin(), test.classifications.end(),
-                                 [](const auto& one) { return one.ratio.has_value(); });
+TextTable modes_table(const pipeline::ResponseTest& test, bool classes) {
+  const bool named = classes && std::any_of(test.classifications.begin(), test.classifications.end(),
+                                            [](const auto& one) { return one.ratio.has_value(); });
   const std::size_t channels = test.record.accel.size();
   const std::size_t shown = channels > kMaxShapeColumns ? 0 : channels;
   std::vector<TextTable::Column> columns{{"mode", kRight}};
@@ -91,15 +98,21 @@ TextTable modes_table(const pipeline::ResponseTest& test) {
   return table;
 }
 
-ReportText text_of(const pipeline::ResponseTest& test) {
+ReportText text_of(const pipeline::ResponseTest& test, const std::set<ReportSection>& sections) {
+  const bool classes = sections.contains(ReportSection::classes);
+  const bool modes = classes || sections.contains(ReportSection::modes);
   ReportText text = heading(test);
-  if (test.hits.size() > 1 || !test.possible()) {
+  // The modes of a single good hit need no table of hits.
+  const bool hits = sections.contains(ReportSection::hits) && !test.hits.empty() && !test.no_impact &&
+                    (test.hits.size() > 1 || !test.possible() || !modes);
+  if (hits) {
     text += hits_table(test);
     text += std::string("\n");
   }
-  if (test.possible() && test.found.modes.empty()) text += std::string("no mode rises above the noise in the band\n");
-  if (!test.found.modes.empty()) text += modes_table(test);
-  text += std::string("\n");
+  if (modes && test.possible() && test.found.modes.empty())
+    text += std::string("no mode rises above the noise in the band\n");
+  if (modes && !test.found.modes.empty()) text += modes_table(test, classes);
+  if (modes && test.possible()) text += std::string("\n");
   text += warnings_text(test.warnings);
   return text;
 }
@@ -131,18 +144,26 @@ std::vector<NumericColumn> columns_of(const std::vector<pipeline::ResponseTest>&
   return out;
 }
 
+// The file of each row of columns_of().
+WordColumn files_of_rows(const std::vector<pipeline::ResponseTest>& tests) {
+  WordColumn out{.name = "file", .values = {}};
+  for (const pipeline::ResponseTest& test : tests)
+    out.values.insert(out.values.end(), test.found.modes.size(), source_name(test.record));
+  return out;
+}
+
 }  // namespace
 
-CommandReport response_report(const std::vector<pipeline::ResponseTest>& tests, const std::optional<BatLabel>& bat,
-                              bool charts) {
+CommandReport response_report(const std::vector<pipeline::ResponseTest>& tests, const ResponseReportOptions& options) {
   CommandReport report;
-  report.json = responses_json(tests, bat);
+  report.json = responses_json(tests, options.bat, options.sections);
   for (std::size_t t = 0; t < tests.size(); ++t) {
     if (tests.size() > 1) report.text += fmt::format("{}test {}\n", t == 0 ? "" : "\n", t);
-    report.text += text_of(tests[t]);
+    report.text += text_of(tests[t], options.sections);
   }
   report.columns = columns_of(tests);
-  for (std::size_t t = 0; t < tests.size() && charts; ++t) {
+  if (tests.size() > 1) report.words = {files_of_rows(tests)};
+  for (std::size_t t = 0; t < tests.size() && options.charts; ++t) {
     for (LineChart& chart : response_spectra(tests[t])) {
       if (tests.size() > 1) chart.title = fmt::format("test {}: {}", t, chart.title);
       report.charts.push_back(std::move(chart));

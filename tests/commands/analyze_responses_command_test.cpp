@@ -196,6 +196,127 @@ TEST_F(AnalyzeResponses, WritesTheModesThatAreAskedFor) {
   EXPECT_THAT(shapes.err, HasSubstr("--modes-file needs a force"));
 }
 
+// A recording of a dead microphone, and one without a blow.
+TEST_F(AnalyzeResponses, SaysWhyThereIsNoResult) {
+  test::write_bytes(folder_.file("dead.wav"), test::wav_of(std::vector<double>(44100, 0.25)));
+  std::vector<double> noise = test::ping(1e-2);
+  noise.resize(static_cast<std::size_t>(0.2 * 44100));
+  test::write_bytes(folder_.file("noise.wav"), test::wav_of(noise));
+  const auto dead = run_percuss({"analyze", folder_.file("dead.wav")});
+  EXPECT_EQ(dead.code, 4);
+  EXPECT_THAT(dead.out, HasSubstr("! channel 1 is constant"));
+  EXPECT_THAT(dead.out, testing::Not(HasSubstr("verdict"))) << "an empty table of hits";
+  EXPECT_THAT(dead.out, testing::Not(HasSubstr("record longer")));
+  const auto blow = run_percuss({"analyze", folder_.file("noise.wav")});
+  EXPECT_EQ(blow.code, 4);
+  EXPECT_THAT(blow.out, HasSubstr("no impact found"));
+  EXPECT_THAT(blow.out, HasSubstr("! no impact was found: nothing in the record stands out of the noise"));
+  EXPECT_THAT(blow.out, testing::Not(HasSubstr("1 impact")));
+  for (const char* file : {"dead.wav", "noise.wav"}) {
+    const auto outcome = run_percuss({"analyze", folder_.file(file), "--json"});
+    EXPECT_EQ(outcome.code, 4) << file;
+    const json document = test::parse_json(outcome.out);
+    EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), IsEmpty()) << file;
+    EXPECT_THAT(document["modes"], IsEmpty()) << file;
+    for (const json& hit : document["hits"]) EXPECT_FALSE(hit["accepted"]) << file;
+  }
+}
+
+// One plain line in place of the notes on units and scales, which no result needs.
+TEST_F(AnalyzeResponses, AsksForNoScale) {
+  const auto outcome = run_percuss({"analyze", folder_.file("ping.wav"), "--json"});
+  std::vector<std::string> said;
+  const json document = test::parse_json(outcome.out);
+  for (const json& warning : document["warnings"]) {
+    if (warning["code"] != "input") continue;
+    said.push_back(warning["message"]);
+    EXPECT_EQ(warning["severity"], "info");
+  }
+  EXPECT_THAT(said,
+              testing::ElementsAre("no unit is stated, so amplitudes are relative. Frequencies and damping ratios "
+                                   "do not depend on it"));
+}
+
+TEST_F(AnalyzeResponses, ReportsTheChosenSections) {
+  const auto document_of = [&](const std::string& section) {
+    const auto outcome = run_percuss({"analyze", folder_.file("ping.wav"), "--only", section, "--json"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    json document = test::parse_json(outcome.out);
+    EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), IsEmpty()) << section;
+    return document;
+  };
+  const json hits = document_of("hits"), modes = document_of("modes"), classes = document_of("classes");
+  EXPECT_EQ(hits["hits"].size(), 1U);
+  EXPECT_FALSE(hits.contains("modes"));
+  EXPECT_FALSE(hits.contains("decay"));
+  for (const json* document : {&modes, &classes}) {
+    EXPECT_FALSE(document->contains("hits"));
+    EXPECT_EQ((*document)["modes"].size(), test::kPing.size());
+  }
+  EXPECT_FALSE(modes["modes"][0].contains("family"));
+  EXPECT_EQ(classes["modes"][0]["family"], "unknown");
+  const auto text_of = [&](const std::string& section) {
+    return run_percuss({"analyze", folder_.file("ping.wav"), "--only", section}).out;
+  };
+  EXPECT_THAT(text_of("hits"), testing::AllOf(HasSubstr("verdict"), testing::Not(HasSubstr("damping  note"))));
+  EXPECT_THAT(text_of("modes"), testing::AllOf(HasSubstr("damping  note"), testing::Not(HasSubstr("verdict"))));
+  // A table needs the modes, whatever the printed sections.
+  const auto table = run_percuss({"analyze", "ping.wav", "--only", "hits", "-o", "t.csv", "-o", "t.modes.csv"},
+                                 {.folder = folder_.path()});
+  EXPECT_EQ(table.code, 0) << table.err;
+  for (const char* file : {"t.csv", "t.modes.csv"})
+    EXPECT_EQ(test::lines_of(test::bytes_of(folder_.file(file))).size(), 1 + test::kPing.size()) << file;
+}
+
+// Two microphones are no accelerometers on a tube.
+TEST_F(AnalyzeResponses, NamesNoBendingOfPressures) {
+  std::string text = "mic1_Pa,mic2_Pa\n", other = "a,b\n";
+  for (const double x : test::ping(1e-3)) {
+    text += std::to_string(x) + "," + std::to_string(0.8 * x) + "\n";
+    other += std::to_string(x) + "," + std::to_string(0.8 * x) + "\n";
+  }
+  test::write_bytes(folder_.file("mics.csv"), text);
+  test::write_bytes(folder_.file("other.csv"), other);
+  const auto named = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "analyze");
+    arguments.insert(arguments.end(), {"--fs", "44100", "--band", "500:6000"});
+    const auto outcome = run_percuss(arguments, {.folder = folder_.path()});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.out.find("bending") != std::string::npos;
+  };
+  EXPECT_FALSE(named({"mics.csv"}));
+  EXPECT_FALSE(named({"other.csv", "--accel-channel", "1,2", "--unit", "Pa"}));
+  EXPECT_TRUE(named({"other.csv", "--accel-channel", "1,2"}));
+}
+
+// Files of different parts are no hits of one part.
+TEST_F(AnalyzeResponses, SeparatesFilesOfDifferentParts) {
+  test::write_bytes(folder_.file("part2.wav"), test::wav_of(test::ping(1e-3, 1.01)));
+  test::write_bytes(folder_.file("again.wav"), test::wav_of(test::ping(1e-3)));
+  const auto outcome =
+      run_percuss({"analyze", "ping.wav", "part2.wav", "--band", "500:6000", "-o", "m.modes.csv", "-o", "m.json"},
+                  {.folder = folder_.path()});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("Each file is a test of its own"));
+  const json document = test::parse_json(test::bytes_of(folder_.file("m.json")));
+  ASSERT_EQ(document["runs"].size(), 2U);
+  for (const json& run : document["runs"]) {
+    EXPECT_EQ(run["modes"].size(), test::kPing.size());
+    EXPECT_EQ(run["warnings"][0]["code"], "files_disagree");
+  }
+  const auto lines = test::lines_of(test::bytes_of(folder_.file("m.modes.csv")));
+  ASSERT_EQ(lines.size(), 1 + 2 * test::kPing.size());
+  EXPECT_TRUE(lines[0].ends_with(",residue_std,file"));
+  EXPECT_TRUE(lines[1].ends_with(",ping.wav"));
+  EXPECT_TRUE(lines.back().ends_with(",part2.wav"));
+  const auto one =
+      run_percuss({"analyze", "ping.wav", "again.wav", "--band", "500:6000", "--json"}, {.folder = folder_.path()});
+  const json joined = test::parse_json(one.out);
+  EXPECT_FALSE(joined.contains("runs"));
+  EXPECT_EQ(joined["hits"].size(), 2U);
+  EXPECT_EQ(joined["modes"].size(), test::kPing.size());
+}
+
 TEST_F(AnalyzeResponses, RefusesWhatNeedsAForce) {
   for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{{"--estimator", "h2"},
                                                                                     {"--only", "frf"},

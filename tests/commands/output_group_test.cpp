@@ -98,6 +98,20 @@ TEST_F(OutputGroups, HoldModesOrFrfsByNameOrOption) {
   EXPECT_EQ(lines("bat.modes.csv"), modes);
 }
 
+// The numbers of tests alone do not tell which file a mode is of.
+TEST_F(OutputGroups, NameTheFileOfEachTest) {
+  const std::string copy = folder_.file("copy.h5");
+  test::write_bytes(copy, test::bytes_of(record_));
+  const std::string table = folder_.file("two.modes.csv");
+  const auto outcome = run_percuss({"analyze", record_, copy, "--files", "tests", "--quiet", "-o", table});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto lines = test::lines_of(test::bytes_of(table));
+  ASSERT_EQ(lines.size(), 1U + 2 * 2 * 2) << "two modes at two channels, of two tests";
+  EXPECT_TRUE(lines[0].starts_with("test,mode,") && lines[0].ends_with(",residue_std,file")) << lines[0];
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    EXPECT_TRUE(lines[i].ends_with("," + (i <= 4 ? record_ : copy))) << lines[i];
+}
+
 TEST_F(OutputGroups, RefuseOneFileTwice) {
   const auto outcome = run_percuss({"analyze", record_, "--frf", folder_.file("a.csv"), "-o", folder_.file("a.csv")});
   EXPECT_EQ(outcome.code, 2);

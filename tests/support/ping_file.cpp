@@ -22,14 +22,14 @@ const std::vector<PingMode> kPing{{.freq_Hz = 1732.5, .damping_ratio = 0.002, .a
                                   {.freq_Hz = 2141, .damping_ratio = 0.003, .amplitude = 0.2},
                                   {.freq_Hz = 4310, .damping_ratio = 0.004, .amplitude = 0.1}};
 
-std::vector<double> ping(double noise) {
+std::vector<double> ping(double noise, double factor) {
   std::mt19937 random(2);
   std::normal_distribution<double> gauss;
   std::vector<double> x(kRate_Hz);
   for (std::size_t n = 0; n < x.size(); ++n) {
     const double t = static_cast<double>(n) / kRate_Hz - kBlow_s;
     for (const PingMode& mode : kPing) {
-      const double omega = kTwoPi * mode.freq_Hz;
+      const double omega = kTwoPi * factor * mode.freq_Hz;
       if (t > 0)
         x[n] +=
             mode.amplitude * std::min(1.0, t / 1e-3) * std::exp(-mode.damping_ratio * omega * t) * std::sin(omega * t);

@@ -13,8 +13,8 @@ extern const std::vector<PingMode> kPing;
 inline constexpr double kBlow_s = 0.21;  // time of the blow
 
 /// One second at 44.1 kHz: the modes kPing from kBlow_s on, with 1 ms of rise, and white noise of this standard
-/// deviation.
-std::vector<double> ping(double noise);
+/// deviation. The frequencies are `factor` times those of kPing.
+std::vector<double> ping(double noise, double factor = 1);
 
 /// A WAV file of 16 bits and one channel at 44.1 kHz, as recorders write it. `x` lies between −1 and 1.
 std::string wav_of(const std::vector<double>& x);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include "cli/exit_code.hpp"
@@ -12,16 +13,17 @@
 #include "cli/report_output.hpp"
 #include "commands/analyze_outputs.hpp"
 #include "core/io/atomic_file.hpp"
+#include "pipeline/response/response_files.hpp"
 #include "pipeline/response/response_test.hpp"
-#include "pipeline/run_analyses.hpp"
 #include "report/csv/modes_csv.hpp"
 #include "report/response_report.hpp"
+#include "report/text/report_sections.hpp"
 
 namespace percuss::tools {
 namespace {
 
 void refuse_force_options(const AnalyzeFlags& flags) {
-  const auto refuse = [](bool given, const char* option) {
+  const auto refuse = [](bool given, const OptionId& option) {
     if (given) {
       throw OptionError({option}, "needs a force, and none was recorded", "leave it out, or name the force's channel",
                         {"force_channel"});
@@ -30,10 +32,7 @@ void refuse_force_options(const AnalyzeFlags& flags) {
   refuse(!flags.frf_path.empty(), "frf");
   const std::string modes_kind = extension_of(flags.modes_path);
   refuse(modes_kind == ".uff" || modes_kind == ".unv", "modes_file");
-  refuse(flags.analysis.estimator != "h1", "estimator");
-  refuse(flags.analysis.exponential_end > 0, "exponential");
-  refuse(flags.analysis.delay != "off", "delay");
-  refuse(flags.analysis.trigger_N.has_value(), "trigger");
+  for (const OptionId& option : pipeline::stated_force_options(analysis_options(flags.analysis))) refuse(true, option);
   refuse(flags.per_hit, "per_hit");
   refuse(flags.stabilisation, "stabilisation");
   refuse(flags.trace, "trace");
@@ -58,19 +57,31 @@ void refuse_frf_files(const OutputFlags& output, const std::string& input) {
   }
 }
 
-std::vector<pipeline::ResponseTest> tests_of(const AnalyzeFlags& flags, std::vector<acquire::Record> records) {
+using Sections = std::set<report::ReportSection>;
+
+// A table or a picture shows modes even where the sections leave them out.
+pipeline::ResponseWork work_of(const AnalyzeFlags& flags, const Sections& sections) {
+  const auto shows_modes = [](const std::string& path) {
+    return extension_of(path) == ".csv" || extension_of(path) == ".svg";
+  };
+  const bool modes = sections.contains(report::ReportSection::modes) ||
+                     sections.contains(report::ReportSection::classes) || !flags.modes_path.empty() ||
+                     std::any_of(flags.output.paths.begin(), flags.output.paths.end(), shows_modes);
+  return modes ? pipeline::ResponseWork::modes : pipeline::ResponseWork::hits;
+}
+
+std::vector<pipeline::ResponseTest> tests_of(const AnalyzeFlags& flags, std::vector<acquire::Record> records,
+                                             pipeline::ResponseWork work) {
+  using acquire::FileGrouping;
   const pipeline::AnalysisOptions options = analysis_options(flags.analysis);
-  if (flags.read.files != acquire::FileGrouping::tests && records.size() > 1) {
+  if (flags.read.files == FileGrouping::automatic && work == pipeline::ResponseWork::modes)
+    return pipeline::tests_of_files(records, options);
+  if (flags.read.files != FileGrouping::tests && records.size() > 1) {
     acquire::Record joined = acquire::join_records(std::move(records), flags.read.files);
     records.clear();
     records.push_back(std::move(joined));
   }
-  std::vector<pipeline::ResponseTest> tests;
-  for (const acquire::Record& record : records) {
-    for (auto& [run, part] : pipeline::split_runs(record))
-      tests.push_back(pipeline::analyse_responses(std::move(part), options));
-  }
-  return tests;
+  return pipeline::tests_of_records(records, options, work);
 }
 
 using SharedTests = std::shared_ptr<const std::vector<pipeline::ResponseTest>>;
@@ -79,9 +90,16 @@ bool all_possible(const std::vector<pipeline::ResponseTest>& tests) {
   return std::all_of(tests.begin(), tests.end(), [](const auto& test) { return test.possible(); });
 }
 
+void require_fitted(const std::vector<pipeline::ResponseTest>& tests, const std::string& path) {
+  const std::string kind = extension_of(path);
+  if (tests.front().fitted || (kind != ".csv" && kind != ".svg")) return;
+  throw OptionError({"only"}, "leaves the modes out, which the file is to show", "analyse the record without it");
+}
+
 // Adds what the outcome of the tests' report lacks.
 void complete_outcome(CommandResult& outcome, const SharedTests& tests) {
   outcome.save = [tests, save_report = outcome.save](const SaveRequest& request) {
+    require_fitted(*tests, request.path);
     if (is_modes_table(request.path)) {
       write_file(request.path, report::modes_csv(*tests), request.force);
     } else {
@@ -92,7 +110,7 @@ void complete_outcome(CommandResult& outcome, const SharedTests& tests) {
   outcome.possible = all_possible(*tests);
 }
 
-CommandResult outcome_of_test(const pipeline::ResponseTest& test, const std::optional<report::BatLabel>& bat,
+CommandResult outcome_of_test(const pipeline::ResponseTest& test, const report::ResponseReportOptions& options,
                               OutputFlags output) {
   Host host;
   host.equivalent_command = output.equivalent_command;
@@ -101,7 +119,7 @@ CommandResult outcome_of_test(const pipeline::ResponseTest& test, const std::opt
   const auto tests = std::make_shared<const std::vector<pipeline::ResponseTest>>(1, test);
   std::vector<std::string> inputs;
   for (const acquire::InputFile& file : test.record.files) inputs.push_back(file.path);
-  show_report(report::response_report(*tests, bat, false), output, inputs);
+  show_report(report::response_report(*tests, options), output, inputs);
   complete_outcome(host.outcome, tests);
   return std::move(host.outcome);
 }
@@ -111,6 +129,7 @@ CommandResult outcome_of_test(const pipeline::ResponseTest& test, const std::opt
 int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> records,
                       const std::optional<report::BatLabel>& bat) {
   refuse_force_options(flags);
+  const Sections sections = flags.only.empty() ? report::default_sections() : report::parse_report_sections(flags.only);
   std::vector<std::string> tables;  // of modes; the other files are a report's
   OutputFlags output = flags.output;
   if (extension_of(flags.modes_path) == ".csv") {
@@ -129,10 +148,11 @@ int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> re
   for (const acquire::Record& record : records) {
     for (const acquire::InputFile& file : record.files) inputs.push_back(file.path);
   }
-  const auto shared_tests =
-      std::make_shared<const std::vector<pipeline::ResponseTest>>(tests_of(flags, std::move(records)));
+  const auto shared_tests = std::make_shared<const std::vector<pipeline::ResponseTest>>(
+      tests_of(flags, std::move(records), work_of(flags, sections)));
   const std::vector<pipeline::ResponseTest>& tests = *shared_tests;
-  report::CommandReport report = report::response_report(tests, bat, writes_charts(output));
+  report::ResponseReportOptions options{.bat = bat, .charts = writes_charts(output), .sections = sections};
+  report::CommandReport report = report::response_report(tests, options);
   if (!flags.compared.empty()) {
     report.text += "\n";
     report.text += comparison_of(flags, report.json, inputs.front()).text;
@@ -144,8 +164,9 @@ int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> re
   outputs.commit();
   if (flags.output.host != nullptr) {
     complete_outcome(flags.output.host->outcome, shared_tests);
-    flags.output.host->outcome.of_test = [shared_tests, bat, output = captured_output(output)](std::size_t test) {
-      return outcome_of_test(shared_tests->at(test), bat, output);
+    options.charts = false;
+    flags.output.host->outcome.of_test = [shared_tests, options, output = captured_output(output)](std::size_t test) {
+      return outcome_of_test(shared_tests->at(test), options, output);
     };
   }
   return all_possible(tests) ? kOk : kImpossible;

@@ -22,10 +22,12 @@ std::string listed(const std::vector<std::string>& names) {
                      last);
 }
 
+constexpr const char* kNotStated = " not stated; taken as ";
+
 Message note_of(const std::vector<std::string>& names, const char* unit, const char* option) {
   const std::string subject = names.size() == 1 ? fmt::format("the unit of {} is", names.front())
                                                 : fmt::format("the units of {} are", listed(names));
-  return {fmt::format("{} not stated; taken as {}", subject, unit), {option}};
+  return {subject + kNotStated + unit, {option}};
 }
 
 }  // namespace
@@ -40,6 +42,11 @@ void note_assumed_units(Record& record) {
     }
     if (!names.empty()) record.notes.push_back(note_of(names, unit, "unit"));
   }
+}
+
+bool is_about_assumed_units(const Message& note) {
+  const bool of_response = note.options == std::vector<OptionId>{"unit"};
+  return (of_response && note.text.find(kNotStated) != std::string::npos) || note.text.ends_with(kFullScaleNote);
 }
 
 }  // namespace percuss::acquire

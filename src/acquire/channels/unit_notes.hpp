@@ -7,4 +7,12 @@ namespace percuss::acquire {
 /// accelerations and one for the pressures, from `unit_assumed` of its signals.
 void note_assumed_units(Record& record);
 
+/// The note on a sound file of which neither file nor user states a scale.
+inline constexpr const char* kFullScaleNote =
+    "stored numbers are fractions of full scale: give N and m/s^2 at full scale";
+
+/// Whether the note says that nothing states the unit or the scale of the responses. It may begin with the name of its
+/// file (joined_notes.hpp).
+bool is_about_assumed_units(const Message& note);
+
 }  // namespace percuss::acquire

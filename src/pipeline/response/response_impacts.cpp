@@ -116,6 +116,12 @@ Signals clearest_differences(const Signals& x, const Blocks& blocks, double fs_H
   return out;
 }
 
+// Whether no block of the row stands out of the others. A decay that has lost 90 % of its power within the row does.
+bool is_quiet(const Signals& differences, std::size_t block) {
+  const std::vector<double> power = block_power(differences, block);
+  return power.size() >= kMinHistoryBlocks && extremes_of(power).high <= kRise * quiet_level(power);
+}
+
 double median_after(const std::vector<double>& power, std::size_t b, std::size_t history) {
   const std::size_t last = std::min(b + 1 + history, power.size());
   return median({power.begin() + static_cast<std::ptrdiff_t>(b), power.begin() + static_cast<std::ptrdiff_t>(last)});
@@ -199,7 +205,10 @@ std::vector<ResponseImpact> response_impacts(const acquire::Record& record, cons
               [](const ResponseImpact& a, const ResponseImpact& b) { return a.first < b.first; });
     const bool moves =
         std::any_of(x.begin(), x.end(), [](const auto& one) { return extremes_of(one).high > extremes_of(one).low; });
-    if (found.empty() && moves) found.push_back({.row = row, .first = 0, .whole_pulse = false});
+    if (found.empty() && moves) {
+      const bool quiet = is_quiet(clearest, blocks.samples * kMaxBlockFactor);
+      found.push_back({.row = row, .first = 0, .whole_pulse = false, .quiet = quiet});
+    }
     for (std::size_t i = 0; i < found.size(); ++i) {
       found[i].end = i + 1 < found.size() ? found[i + 1].first - std::min(found[i + 1].first, blocks.samples) : samples;
       found[i].first += range.first;

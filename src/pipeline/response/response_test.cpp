@@ -142,6 +142,20 @@ std::vector<identify::ModeClassification> classified(const ResponseTest& test) {
   return identify::classify(modes, sensors, overlays_dB, test.options.classes);
 }
 
+// Rejects all hits if the rows show no impact and nothing but noise, and if the fit finds nothing either.
+void reject_noise(ResponseTest& test) {
+  const auto is_noise = [](const ResponseHit& hit) { return !hit.accepted || (hit.impact.quiet && !hit.by_user); };
+  if (!test.found.modes.empty() || !test.found.tones.empty()) return;
+  if (!std::all_of(test.hits.begin(), test.hits.end(), is_noise)) return;
+  for (ResponseHit& hit : test.hits) {
+    if (!hit.accepted) continue;
+    hit.accepted = false;
+    hit.reason = "no impact rises above the noise";
+  }
+  test.no_impact = true;
+  test.samples = 0;
+}
+
 // Keeps the `count` modes with the most energy, in ascending frequency.
 void keep_most_energetic(std::vector<identify::DecayMode>& modes, std::size_t count) {
   if (modes.size() <= count) return;
@@ -154,7 +168,7 @@ void keep_most_energetic(std::vector<identify::DecayMode>& modes, std::size_t co
 
 }  // namespace
 
-ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& options) {
+ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& options, ResponseWork work) {
   ResponseTest test{
       .record = std::move(record), .options = options, .hits = {}, .found = {}, .classifications = {}, .warnings = {}};
   const ThreadLimit limit(options.threads);
@@ -163,7 +177,8 @@ ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& op
   assume_angles(test.record, test.options.classes);
   test.hits = graded(test.record, test.options);
   test.samples = common_samples(test);
-  for (int attempt = 1; test.possible(); ++attempt) {
+  test.fitted = work == ResponseWork::modes;
+  for (int attempt = 1; test.fitted && test.possible(); ++attempt) {
     const identify::FreeDecays whole = decays_of(test);
     const std::size_t safe = identify::safe_start(test.samples, whole.fs_Hz);
     test.band_Hz = band_of(test, test.samples - safe);
@@ -178,12 +193,30 @@ ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& op
     }
     test.start_s = static_cast<double>(started.start) / whole.fs_Hz;
     test.found = identify::modes_of_decays(started.fit, whole.channels, test.band_Hz);
+    reject_noise(test);
     if (test.options.modes.modes) keep_most_energetic(test.found.modes, *test.options.modes.modes);
     test.classifications = classified(test);
     break;
   }
   test.warnings = response_warnings(test);
   return test;
+}
+
+std::size_t count_impacts(const ResponseTest& test) {
+  const bool decays = !test.found.modes.empty();
+  const auto shown = [&](const ResponseHit& hit) {
+    return hit.impact.whole_pulse || (hit.accepted && (test.fitted ? decays : !hit.impact.quiet));
+  };
+  return static_cast<std::size_t>(std::count_if(test.hits.begin(), test.hits.end(), shown));
+}
+
+std::vector<OptionId> stated_force_options(const AnalysisOptions& options) {
+  std::vector<OptionId> out;
+  if (options.estimator != frf::Estimator::h1) out.emplace_back("estimator");
+  if (options.exponential_end > 0) out.emplace_back("exponential");
+  if (options.delays.automatic || !options.delays.delay_s.empty()) out.emplace_back("delay");
+  if (options.hits.trigger_N) out.emplace_back("trigger");
+  return out;
 }
 
 }  // namespace percuss::pipeline

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,11 +35,25 @@ struct ResponseTest {
   std::vector<identify::ModeClassification> classifications;  // [found.modes]
   std::vector<Warning> warnings;
 
+  bool fitted = false;     // false: ResponseWork::hits; there are no modes, no band and no start
+  bool no_impact = false;  // no row shows an impact, nothing stands out of the noise, and nothing decays in the band
+
   bool possible() const { return samples > 0; }
 };
 
+/// What an analysis computes: the hits, or also the modes. Only a fit of the modes finds hits whose decays are
+/// disturbed, and tells a row that begins within a decay from a row without an impact.
+enum class ResponseWork { hits, modes };
+
 /// Finds the impacts in the responses and fits the free decays after them, all hits and channels together.
 /// errors  InputError: a band that does not fit the data; a hit that does not exist.
-ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& options);
+ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& options,
+                               ResponseWork work = ResponseWork::modes);
+
+/// The number of impacts that the test shows: impacts within the rows, and those before a row that is no mere noise.
+std::size_t count_impacts(const ResponseTest& test);
+
+/// The options of an analysis that need a force and are not at their default, in the order of the help.
+std::vector<OptionId> stated_force_options(const AnalysisOptions& options);
 
 }  // namespace percuss::pipeline

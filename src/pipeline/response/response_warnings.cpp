@@ -7,7 +7,9 @@
 #include <span>
 
 #include "acquire/channels/role_guess.hpp"
+#include "acquire/channels/unit_notes.hpp"
 #include "core/error.hpp"
+#include "pipeline/response/missing_results.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/object_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
@@ -24,6 +26,25 @@ Warning no_force() {
        {},
        acquire::Severity::info},
       "name the force's channel, if there is one");
+}
+
+// The reader's notes. Where nothing states the unit of a response, the notes ask for units and scales that no result
+// needs: one remark replaces them.
+std::vector<Warning> notes_of(const ResponseTest& test) {
+  acquire::Record record;
+  record.notes = test.record.notes;
+  const std::size_t dropped = std::erase_if(record.notes, acquire::is_about_assumed_units);
+  std::vector<Warning> out = input_warnings(record);
+  if (dropped == 0 || !test.possible()) return out;
+  const char* const which = test.record.accel.size() > 1
+                                ? "amplitudes are relative, and shapes hold if all channels have one scale"
+                                : "amplitudes are relative";
+  out.push_back(
+      {.code = "input",
+       .message = fmt::format("no unit is stated, so {}. Frequencies and damping ratios do not depend on it", which),
+       .options = {"unit"},
+       .severity = acquire::Severity::info});
+  return out;
 }
 
 double hammer_dissimilarity_of(const acquire::Record& record, std::size_t channel) {
@@ -169,13 +190,10 @@ std::vector<Warning> response_warnings(const ResponseTest& test) {
   const auto add = [&](std::vector<Warning> more) {
     out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
-  add(input_warnings(test.record));
+  add(notes_of(test));
   add(hammer_as_response(test.record));
   out.push_back(no_force());
-  if (!test.possible()) {
-    out.push_back(with_remedy({"no_free_decay", "no impact is followed by a free decay", {"accept_hit", "from"}},
-                              "record longer after each impact"));
-  }
+  add(missing_result_warnings(test));
   add(damaged_decays(test));
   add(uneven_decays(test));
   add(tones(test));

@@ -9,10 +9,11 @@ namespace percuss::report {
 
 /// The modes as CSV, a line per mode, point and channel: mode, frequency_hz, frequency_std_hz, damping_ratio,
 /// damping_ratio_std, family, order (empty if unknown), point, channel, residue_re, residue_im, residue_std (in 1/kg).
-/// Several tests: a first column `test`. A test without usable hits has no lines.
+/// Several tests: a first column `test`, and a last column `file`, the path of the test's first file, with "and 3 more"
+/// for further files. A test without usable hits has no lines.
 std::string modes_csv(const std::vector<NumberedAnalysis>& tests);
 
-/// The same of tests without a force, whose residues are amplitudes of the decay. The tests count from 0.
+/// The same of tests without a force, whose residues are ratios to the reference channel's. The tests count from 0.
 std::string modes_csv(const std::vector<pipeline::ResponseTest>& tests);
 
 }  // namespace percuss::report

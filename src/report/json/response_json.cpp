@@ -32,9 +32,9 @@ Json hit_of(const pipeline::ResponseTest& test, std::size_t h) {
   return json;
 }
 
-Json mode_of(const pipeline::ResponseTest& test, std::size_t m) {
+Json mode_of(const pipeline::ResponseTest& test, std::size_t m, bool classes) {
   const identify::DecayMode& found = test.found.modes[m];
-  const ModeJson of{.classification = m < test.classifications.size() ? &test.classifications[m] : nullptr};
+  const ModeJson of{.classification = classes && m < test.classifications.size() ? &test.classifications[m] : nullptr};
   Json json = Json::parse(mode_json(found.mode, m, of));
   json["hit_amplitudes"] = Json::array();
   for (const identify::HitAmplitude& hit : found.hits)
@@ -42,7 +42,10 @@ Json mode_of(const pipeline::ResponseTest& test, std::size_t m) {
   return json;
 }
 
-Json document_of(const pipeline::ResponseTest& test, const std::optional<BatLabel>& bat) {
+Json document_of(const pipeline::ResponseTest& test, const std::optional<BatLabel>& bat,
+                 const std::set<ReportSection>& sections) {
+  const bool classes = sections.contains(ReportSection::classes);
+  const bool modes = classes || sections.contains(ReportSection::modes);
   Json json{{"schema", "percuss/analysis/1"}, {"version", version()}, {"inputs", Json::array()}};
   for (const acquire::InputFile& file : test.record.files)
     json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}});
@@ -50,18 +53,20 @@ Json document_of(const pipeline::ResponseTest& test, const std::optional<BatLabe
   json["input"] = "response";
   json["excitation"] = "unknown";
   json["fs_hz"] = test.record.fs_Hz;
-  if (test.possible()) json["band_hz"] = {test.band_Hz.first, test.band_Hz.second};
+  if (test.fitted && test.possible()) json["band_hz"] = {test.band_Hz.first, test.band_Hz.second};
   if (const Json chosen = options_json(test.options); !chosen.empty()) json["options"] = chosen;
-  json["hits"] = Json::array();
-  for (std::size_t h = 0; h < test.hits.size(); ++h) json["hits"].push_back(hit_of(test, h));
-  if (test.possible()) {
+  if (sections.contains(ReportSection::hits)) {
+    json["hits"] = Json::array();
+    for (std::size_t h = 0; h < test.hits.size(); ++h) json["hits"].push_back(hit_of(test, h));
+  }
+  if (modes && test.possible()) {
     json["decay"] = {{"start_s", test.start_s},
                      {"end_s", static_cast<double>(test.samples) / test.record.fs_Hz},
                      {"reference_channel", test.found.reference},
                      {"unit", si_name(test.record.accel[test.found.reference].measures)}};
   }
-  json["modes"] = Json::array();
-  for (std::size_t m = 0; m < test.found.modes.size(); ++m) json["modes"].push_back(mode_of(test, m));
+  if (modes) json["modes"] = Json::array();
+  for (std::size_t m = 0; modes && m < test.found.modes.size(); ++m) json["modes"].push_back(mode_of(test, m, classes));
   json["warnings"] = Json::array();
   for (const pipeline::Warning& warning : test.warnings) json["warnings"].push_back(warning_json(warning));
   return json;
@@ -69,11 +74,12 @@ Json document_of(const pipeline::ResponseTest& test, const std::optional<BatLabe
 
 }  // namespace
 
-std::string responses_json(const std::vector<pipeline::ResponseTest>& tests, const std::optional<BatLabel>& bat) {
-  if (tests.size() == 1) return indented_text(document_of(tests.front(), bat)) + "\n";
+std::string responses_json(const std::vector<pipeline::ResponseTest>& tests, const std::optional<BatLabel>& bat,
+                           const std::set<ReportSection>& sections) {
+  if (tests.size() == 1) return indented_text(document_of(tests.front(), bat, sections)) + "\n";
   Json json{{"schema", "percuss/analysis/1"}, {"version", version()}, {"runs", Json::array()}};
   for (std::size_t t = 0; t < tests.size(); ++t) {
-    json["runs"].push_back(document_of(tests[t], bat));
+    json["runs"].push_back(document_of(tests[t], bat, sections));
     json["runs"].back()["run"] = t;
   }
   return indented_text(json) + "\n";

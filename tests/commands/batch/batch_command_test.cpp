@@ -9,6 +9,7 @@
 #include "support/files/synthetic_files.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
+#include "support/ping_file.hpp"
 #include "support/rejection.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -110,6 +111,56 @@ TEST_F(BatchCommand, FlagsARecordWithoutModes) {
   EXPECT_EQ(record["code"], 0) << "it is a result";
   EXPECT_EQ(record["modes"], 0);
   EXPECT_THAT(record["warnings"], testing::Contains("no_modes"));
+}
+
+// A WAV file per part: modes from free decays, as analyze finds them.
+TEST_F(BatchCommand, AnalysesRecordsWithoutAForceAsAnalyzeDoes) {
+  fs::create_directories(folder_.file("pings"));
+  test::write_bytes(folder_.file("pings/a.wav"), test::wav_of(test::ping(1e-3)));
+  test::write_bytes(folder_.file("pings/b.wav"), test::wav_of(std::vector<double>(44100, 0.5)));
+  for (const std::vector<std::string>& unit : {std::vector<std::string>{}, {"--unit", "Pa"}}) {
+    std::vector<std::string> words{"plan", "pings", "--band", "500:6000", "--frf", "-o", "m.jsonl", "--force"};
+    words.insert(words.end(), unit.begin(), unit.end());
+    const auto planned = batch(words);
+    ASSERT_EQ(planned.code, 0) << planned.err;
+    ASSERT_EQ(run({"--force"}).code, 6);
+    const auto merging = batch({"merge", "--manifest", "m.jsonl", "out", "-o", "r.jsonl", "--force"});
+    EXPECT_EQ(merging.code, 6);
+    const auto rows = lines_of(bytes_of(folder_.file("r.jsonl")));
+    for (const std::string& row : rows) expect_lines_of(row, "batch");
+    ASSERT_EQ(rows.size(), 1U + 2U + test::kPing.size());
+    const auto record = test::parse_json(rows[1]), dead = test::parse_json(rows.back());
+    std::vector<std::string> analyze{"analyze", "pings/a.wav", "--band", "500:6000", "--json"};
+    analyze.insert(analyze.end(), unit.begin(), unit.end());
+    const auto document = test::parse_json(percuss(analyze).out);
+    EXPECT_EQ(record["id"], "a");
+    EXPECT_EQ(record["code"], 0);
+    EXPECT_EQ(record["hits_accepted"], 1);
+    EXPECT_EQ(record["band_high_hz"], 6000);
+    EXPECT_THAT(record["warnings"], testing::Contains("no_force"));
+    ASSERT_EQ(document["modes"].size(), test::kPing.size());
+    for (std::size_t m = 0; m < test::kPing.size(); ++m) {
+      const auto row = test::parse_json(rows[2 + m]);
+      for (const char* key :
+           {"index", "frequency_hz", "frequency_std_hz", "damping_ratio", "damping_ratio_std", "family"})
+        EXPECT_EQ(row[key], document["modes"][m][key]) << key;
+    }
+    EXPECT_EQ(dead["id"], "b");
+    EXPECT_EQ(dead["code"], 4);
+    EXPECT_EQ(percuss({"analyze", "pings/b.wav"}).code, 4);
+    EXPECT_THAT(dead["reason"].get<std::string>(), HasSubstr("channel 1 is constant"));
+    EXPECT_THAT(dead["warnings"], testing::Contains("dead_channel"));
+  }
+}
+
+TEST_F(BatchCommand, RefusesOptionsThatNeedAForceAsAnalyzeDoes) {
+  test::write_bytes(folder_.file("a.wav"), test::wav_of(test::ping(1e-3)));
+  ASSERT_EQ(batch({"plan", "a.wav", "--estimator", "h2", "-o", "m.jsonl"}).code, 0);
+  ASSERT_EQ(run().code, 6);
+  const auto record = test::parse_json(lines_of(merged("r.jsonl")).at(1));
+  const auto analysis = percuss({"analyze", "a.wav", "--estimator", "h2"});
+  EXPECT_EQ(record["code"], analysis.code);
+  EXPECT_EQ("percuss: " + record["reason"].get<std::string>() + "\n", analysis.err);
 }
 
 TEST_F(BatchCommand, ReportsABadRecordAsAnalyzeDoes) {

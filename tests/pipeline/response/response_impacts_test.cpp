@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "core/units.hpp"
 #include "pipeline/response/response_test.hpp"
@@ -116,6 +117,30 @@ TEST(ResponseImpacts, FindsWeakTapsInNoise) {
     }
     const auto found = response_impacts(test::response_record(kPhone_Hz, {{x}}, 0, true), {});
     EXPECT_EQ(found.size(), 3U) << seed;
+  }
+}
+
+// A row without a rise holds no impact, or begins after it. Only noise is quiet.
+TEST(ResponseImpacts, TellsNoiseFromADecayThatBeganBeforeTheRow) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> gauss;
+    std::vector<double> noise(2 * 8192), decay;
+    double drift = 0;
+    for (double& value : noise) {
+      drift = 0.99 * drift + 0.1 * gauss(random);  // most of the noise lies below 15 Hz
+      value = drift + 0.1 * gauss(random);
+    }
+    decay = noise;
+    const Complex s = identify::decay_rate_of({800, 0.001}).rate_radps;
+    for (std::size_t n = 0; n < decay.size(); ++n)
+      decay[n] += 5 * std::exp(s * (static_cast<double>(n) / kFs_Hz)).real();
+    for (const auto& [row, quiet] : {std::pair(noise, true), std::pair(decay, false)}) {
+      const auto found = response_impacts(test::response_record(kFs_Hz, {{row}}, 0, false), {});
+      ASSERT_EQ(found.size(), 1U) << seed;
+      EXPECT_FALSE(found[0].whole_pulse) << seed;
+      EXPECT_EQ(found[0].quiet, quiet) << seed;
+    }
   }
 }
 

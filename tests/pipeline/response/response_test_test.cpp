@@ -7,7 +7,9 @@
 #include <cmath>
 #include <random>
 
+#include "acquire/channels/unit_notes.hpp"
 #include "core/units.hpp"
+#include "pipeline/response/missing_results.hpp"
 #include "support/response_records.hpp"
 
 namespace percuss::pipeline::response_test_test {
@@ -209,16 +211,131 @@ TEST(ResponseTest, NamesAHammerAmongTheResponses) {
   EXPECT_TRUE(said(analyse_responses(test::response_record(kFs_Hz, std::move(signals), 0.01, false), {}).warnings));
 }
 
-TEST(ResponseTest, HasNoModesInNoise) {
-  const ResponseTest test = analyse_responses(
-      test::response_record(kFs_Hz, {{std::vector<double>(4096), std::vector<double>(4096)}}, 1, false), {});
-  EXPECT_TRUE(test.found.modes.empty());
+const Warning* warning_of(const ResponseTest& test, const std::string& code) {
+  const auto found = std::find_if(test.warnings.begin(), test.warnings.end(),
+                                  [&](const Warning& warning) { return warning.code == code; });
+  return found == test.warnings.end() ? nullptr : &*found;
 }
 
-TEST(ResponseTest, ReadsASilentRecordWithoutModes) {
-  const ResponseTest test =
-      analyse_responses(test::response_record(kFs_Hz, {{std::vector<double>(4096)}}, 0, false), {});
+acquire::Record noise() {
+  return test::response_record(kFs_Hz, {{std::vector<double>(4096), std::vector<double>(4096)}}, 1, false);
+}
+
+// A recording without a blow is no test.
+TEST(ResponseTest, FindsNoImpactInNoise) {
+  const ResponseTest test = analyse_responses(noise(), {});
+  EXPECT_TRUE(test.found.modes.empty());
   EXPECT_FALSE(test.possible());
+  EXPECT_EQ(count_impacts(test), 0U);
+  ASSERT_EQ(test.hits.size(), 1U);
+  EXPECT_FALSE(test.hits[0].accepted);
+  ASSERT_NE(warning_of(test, "no_modes"), nullptr);
+  EXPECT_THAT(warning_of(test, "no_modes")->message, testing::HasSubstr("no impact was found: nothing in the record"));
+  EXPECT_EQ(why_impossible(test).text, warning_of(test, "no_modes")->message);
+  EXPECT_EQ(warning_of(test, "no_free_decay"), nullptr);
+}
+
+TEST(ResponseTest, UsesNoiseThatTheUserAccepts) {
+  AnalysisOptions options;
+  options.accept_hits = {0};
+  const ResponseTest test = analyse_responses(noise(), options);
+  EXPECT_TRUE(test.possible());
+  EXPECT_TRUE(test.hits[0].accepted);
+  ASSERT_NE(warning_of(test, "no_modes"), nullptr);
+}
+
+TEST(ResponseTest, SaysWhereTheBandHoldsNoMode) {
+  AnalysisOptions options;
+  options.band_Hz = {2500, 3000};
+  const ResponseTest test = analyse_responses(rows(1), options);
+  EXPECT_TRUE(test.possible());
+  EXPECT_EQ(count_impacts(test), 3U);
+  ASSERT_NE(warning_of(test, "no_modes"), nullptr);
+  EXPECT_THAT(warning_of(test, "no_modes")->message, testing::HasSubstr("no mode was found from 2500 to 3000 Hz"));
+  EXPECT_EQ(warning_of(analyse_responses(rows(1), {}), "no_modes"), nullptr);
+}
+
+// The row is cut after the blow: no impact rises in it, but its modes decay.
+TEST(ResponseTest, TakesARowThatBeginsWithinADecay) {
+  std::vector<std::vector<double>> channels(2, std::vector<double>(8192));
+  add_hit(0.01, 100, channels);
+  for (std::vector<double>& channel : channels) channel.erase(channel.begin(), channel.begin() + 1000);
+  const ResponseTest test = analyse_responses(test::response_record(kFs_Hz, {channels}, 0.1, false), {});
+  ASSERT_EQ(test.hits.size(), 1U);
+  EXPECT_FALSE(test.hits[0].impact.whole_pulse);
+  EXPECT_TRUE(test.hits[0].accepted);
+  EXPECT_FALSE(test.found.modes.empty());
+  EXPECT_EQ(count_impacts(test), 1U);
+}
+
+TEST(ResponseTest, NamesConstantChannels) {
+  const ResponseTest test =
+      analyse_responses(test::response_record(kFs_Hz, {{std::vector<double>(4096, 3.5)}}, 0, false), {});
+  EXPECT_FALSE(test.possible());
+  EXPECT_TRUE(test.hits.empty());
+  ASSERT_NE(warning_of(test, "dead_channel"), nullptr);
+  EXPECT_THAT(warning_of(test, "dead_channel")->message, testing::HasSubstr("is constant"));
+  EXPECT_EQ(warning_of(test, "no_free_decay"), nullptr);
+  EXPECT_EQ(why_impossible(test).text, warning_of(test, "dead_channel")->message);
+  // Of two channels, the other one is analysed.
+  std::vector<std::vector<double>> channels(2, std::vector<double>(8192));
+  add_hit(0.1, 100, channels);
+  channels[1].assign(8192, 0.0);
+  const ResponseTest other = analyse_responses(test::response_record(kFs_Hz, {channels}, 0, false), {});
+  ASSERT_NE(warning_of(other, "dead_channel"), nullptr);
+  EXPECT_EQ(warning_of(other, "dead_channel")->options, std::vector<OptionId>{"accel_channel"});
+  EXPECT_FALSE(other.found.modes.empty());
+}
+
+TEST(ResponseTest, MayGradeTheHitsAlone) {
+  const ResponseTest hits = analyse_responses(rows(1), {}, ResponseWork::hits), modes = analyse_responses(rows(1), {});
+  EXPECT_FALSE(hits.fitted);
+  EXPECT_TRUE(hits.possible());
+  EXPECT_TRUE(hits.found.modes.empty());
+  EXPECT_EQ(warning_of(hits, "no_modes"), nullptr);
+  ASSERT_EQ(hits.hits.size(), modes.hits.size());
+  for (std::size_t h = 0; h < hits.hits.size(); ++h) {
+    EXPECT_EQ(hits.hits[h].onset_s, modes.hits[h].onset_s);
+    EXPECT_EQ(hits.hits[h].accepted, modes.hits[h].accepted);
+  }
+}
+
+// Frequencies and damping ratios need no unit: one remark replaces the reader's notes.
+TEST(ResponseTest, AsksForNoUnitThatNoResultNeeds) {
+  acquire::Record record = rows(1);
+  record.accel[0].name = record.accel[1].name = "channel";
+  for (acquire::SignalInfo& signal : record.accel) {
+    signal.unit = "m/s^2";
+    signal.unit_assumed = true;
+  }
+  record.notes = {{"another note", {"unit"}}, {acquire::kFullScaleNote, {"force_scale", "accel_scale"}}};
+  acquire::note_assumed_units(record);
+  std::vector<std::string> said;
+  for (const Warning& warning : analyse_responses(record, {}).warnings) {
+    if (warning.code == "input") said.push_back(warning.message);
+  }
+  EXPECT_THAT(said, testing::ElementsAre("another note", testing::StartsWith("no unit is stated, so amplitudes are")));
+}
+
+TEST(ResponseTest, NamesTheOptionsThatNeedAForce) {
+  EXPECT_TRUE(stated_force_options({}).empty());
+  AnalysisOptions options;
+  options.estimator = frf::Estimator::hv;
+  options.exponential_end = 0.01;
+  options.delays.automatic = true;
+  options.hits.trigger_N = 5;
+  EXPECT_EQ(stated_force_options(options), (std::vector<OptionId>{"estimator", "exponential", "delay", "trigger"}));
+}
+
+// Two microphones are no accelerometers on a tube.
+TEST(ResponseTest, AssumesNoAnglesOfPressures) {
+  EXPECT_TRUE(analyse_responses(rows(1), {}).options.classes.angles_assumed);
+  acquire::Record record = rows(1);
+  for (acquire::SignalInfo& signal : record.accel) signal.measures = Quantity::pressure;
+  const ResponseTest test = analyse_responses(record, {});
+  EXPECT_FALSE(test.options.classes.angles_assumed);
+  EXPECT_FALSE(test.record.accel[0].angle_rad.has_value());
+  for (const identify::ModeClassification& one : test.classifications) EXPECT_FALSE(one.ratio.has_value());
 }
 
 }  // namespace percuss::pipeline::response_test_test

@@ -45,6 +45,7 @@ void parse_options(const batch::Manifest& manifest, BatchOptions& options) {
 }  // namespace
 
 void add_batch_options(Command& command, BatchOptions& options) {
+  options.read.options.force_optional = true;  // as analyze, which fits free decays
   add_reading_options(command, options.read);
   add_analysis_options(command, options.analysis);
 }

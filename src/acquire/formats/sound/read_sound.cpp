@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "acquire/channels/signal_table.hpp"
+#include "acquire/channels/unit_notes.hpp"
 #include "acquire/formats/sound/sound_calibration.hpp"
 #include "acquire/formats/sound/sound_file.hpp"
 #include "core/error.hpp"
@@ -38,8 +39,7 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
     if (!options.force_channel.empty()) table.signals.back().measures = Quantity::acceleration;
   }
   if (!has_scale_options(options)) {
-    table.notes.emplace_back("stored numbers are fractions of full scale: give N and m/s^2 at full scale",
-                             std::vector<OptionId>{"force_scale", "accel_scale"});
+    table.notes.emplace_back(kFullScaleNote, std::vector<OptionId>{"force_scale", "accel_scale"});
   } else if (has_sensitivities(options)) {
     table.notes.emplace_back(
         "stored numbers are fractions of full scale, and full scale is taken as 1 V: if it is V volts, forces "
