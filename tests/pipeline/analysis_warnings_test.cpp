@@ -153,13 +153,12 @@ TEST(Warnings, BlameNoOtherStructureForNoiseInTheBand) {
   const acquire::Record good = synth::synthesise(synth::synth_preset("plate")).record;
   const AnalysisOptions options = band(50, 500);
   const Analysis analysis(with_noise_in_the_band_at(good, kPoint), options);
-  std::size_t unlike = 0;
-  for (const AnalysedHit& hit : analysis.hits())
-    unlike += hit.accepted && hit.point == kPoint &&
-                      acquire::has_finding(hit.hit.findings, acquire::FindingCode::low_coherence)
-                  ? 1
-                  : 0;
-  EXPECT_EQ(unlike, 2U) << "the finding stays";
+  const std::vector<AnalysedHit>& hits = analysis.hits();
+  const auto is_unlike = [](const AnalysedHit& hit) {
+    return hit.accepted && hit.point == kPoint &&
+           acquire::has_finding(hit.hit.findings, acquire::FindingCode::low_coherence);
+  };
+  EXPECT_EQ(std::count_if(hits.begin(), hits.end(), is_unlike), 2) << "the finding stays";
   EXPECT_THAT(test::lines_of_messages(analysis.warnings()), Not(Contains(HasSubstr("hits_disagree"))));
 }
 
