@@ -19,6 +19,7 @@ struct WindowData {
 /// further common mode leaves and the energy of the noise, all in one unit. Above the noise, it is 15 times that of the
 /// further mode: such a frequency also drifts during the decay, and a further common mode follows this drift better
 /// than separate poles do. For a true pair the ratio is tens to thousands.
+/// theory (4.31)
 double max_scatter_energy(double further_mode, double noise);
 
 /// Compares two fits of one window by modes common to all points: `one`, and `more`, which has additional modes and was

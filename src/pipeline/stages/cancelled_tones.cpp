@@ -23,7 +23,7 @@ using Eigen::MatrixXcd;
 constexpr std::size_t kMinHits = 3;
 constexpr double kReach = 0.1, kMinLines = 40;  // half-width of the fitted lines: of the tone's frequency; at least
 constexpr double kMarginWidths = 5;             // half-power bandwidths from a mode to the end of the fitted lines
-constexpr double kLeastMarginWidths = 2;        // … of a mode whose fitted values count
+constexpr double kLeastMarginWidths = 1;        // … of a mode whose fitted values count
 constexpr double kToneOff = 0.01;               // relative error of the frequency of a tone that wanders
 constexpr std::size_t kToneLines = 3;           // on either side of its peak
 constexpr double kDominates = 30;               // power of the tone over all else in these lines
