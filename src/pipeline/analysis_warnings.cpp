@@ -52,11 +52,11 @@ std::vector<Warning> Analysis::warnings() const {
   std::set<std::size_t> silent_hits;
   for (const SilentPoint& one : silent_at) silent_hits.insert(one.hits.begin(), one.hits.end());
   add(hit_warnings(record(), graded, silent_hits));
-  if (force_known) add(point_force_warnings(record(), graded));
-  if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples));
+  if (force_known) add(point_force_warnings(record(), graded, point_names()));
+  if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples, point_names()));
   if (force_known) add(role_warnings(record(), graded));
   add(channel_warnings(record(), graded));
-  add(silent_point_warnings(record(), silent_at));
+  add(silent_point_warnings(record(), silent_at, point_names()));
   const auto silent = modes_.ready() && modes().empty() && responses_.ready()
                           ? silent_response_warnings(record(), graded, responses())
                           : std::vector<Warning>{};

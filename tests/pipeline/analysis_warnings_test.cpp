@@ -96,7 +96,7 @@ TEST(Warnings, NameAPointAtWhichASensorShowsNothing) {
       });
   const AnalysisOptions options = band(50, 500);
   const std::vector<std::string> warnings = warnings_of(record, options);
-  EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("dead_channel: "), HasSubstr(" shows only noise at point 7 (hits "))));
+  EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("dead_channel: "), HasSubstr(" shows only noise at point 7 in hits "))));
   EXPECT_THAT(warnings, Not(Contains(HasSubstr("hits_disagree"))));
   EXPECT_THAT(warnings_of(good, options), Not(Contains(HasSubstr("shows only noise"))));
 }

@@ -71,13 +71,16 @@ pipeline::SurveyOptions survey_options(const SurveyFlags& flags) {
 }
 
 // By default several files are points of one test.
-std::unique_ptr<pipeline::Analysis> analysis_of(const SurveyFlags& flags) {
+std::unique_ptr<pipeline::Analysis> analysis_of(const SurveyFlags& flags, const pipeline::SurveyOptions& survey) {
+  pipeline::AnalysisOptions options = analysis_options(flags.analysis);
+  if (survey.geometry) {
+    for (const acquire::GeometryPoint& p : survey.geometry->points) options.geometry_points.insert(p.point);
+  }
   if (flags.read.files == acquire::FileGrouping::tests)
     throw OptionError::wrong_value("files", "tests", "give points or hits", "a survey is one test");
   Measurements opened = open_measurements(flags.read);
   if (!opened.frfs.empty()) {
-    return std::make_unique<pipeline::Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)),
-                                                analysis_options(flags.analysis));
+    return std::make_unique<pipeline::Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)), options);
   }
   const acquire::FileGrouping grouping =
       flags.read.files == acquire::FileGrouping::automatic ? acquire::FileGrouping::points : flags.read.files;
@@ -87,7 +90,7 @@ std::unique_ptr<pipeline::Analysis> analysis_of(const SurveyFlags& flags) {
     throw InputError("several runs", record.files.empty() ? record.source() : record.files[row.file].path,
                      "a survey is one test; put each run into a file of its own");
   }
-  return std::make_unique<pipeline::Analysis>(std::move(record), analysis_options(flags.analysis));
+  return std::make_unique<pipeline::Analysis>(std::move(record), options);
 }
 
 bool is_indicator(const std::string& path) { return path.ends_with(".cmif.csv"); }
@@ -159,7 +162,7 @@ int run_survey(const SurveyFlags& flags) {
   check_survey_outputs(flags.output);
   const pipeline::SurveyOptions options = survey_options(flags);
   Progress progress("analysing", flags.output.quiet);
-  const std::shared_ptr<const pipeline::Analysis> shared_analysis = analysis_of(flags);
+  const std::shared_ptr<const pipeline::Analysis> shared_analysis = analysis_of(flags, options);
   const pipeline::Analysis& analysis = *shared_analysis;
   const auto results =
       std::make_shared<const SurveyResults>(SurveyResults{.analysis = shared_analysis, .survey = {analysis, options}});

@@ -9,7 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "core/io/counted_words.hpp"
 #include "core/math/statistics.hpp"
 
 namespace percuss::pipeline {
@@ -28,7 +27,6 @@ constexpr std::size_t kMaxListedPoints = 20;
 struct PointLevel {
   int point = 0;
   double log_force = 0, log_response = 0;
-  std::size_t file = 0;
 };
 
 // The range of the responses to a hit in m/s², which contains no offset: logarithm of the geometric mean over the
@@ -47,10 +45,9 @@ std::optional<double> log_response_of(const AnalysedHit& hit) {
 }
 
 // Ascending by force. Hits without a force or without responses are left out.
-std::vector<PointLevel> levels_of(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {
+std::vector<PointLevel> levels_of(const std::vector<AnalysedHit>& hits) {
   struct Logs {
     std::vector<double> force, response;
-    std::size_t file = 0;
   };
   std::map<int, Logs> points;
   for (const std::size_t h : accepted_hits(hits)) {
@@ -60,15 +57,12 @@ std::vector<PointLevel> levels_of(const acquire::Record& record, const std::vect
     Logs& logs = points[hits[h].point];
     logs.force.push_back(std::log(peak_N));
     logs.response.push_back(*log_response);
-    logs.file = record.rows.at(hits[h].hit.row).file;
   }
   std::vector<PointLevel> out;
   out.reserve(points.size());
   for (auto& [point, logs] : points) {
-    out.push_back({.point = point,
-                   .log_force = median(std::move(logs.force)),
-                   .log_response = median(std::move(logs.response)),
-                   .file = logs.file});
+    out.push_back(
+        {.point = point, .log_force = median(std::move(logs.force)), .log_response = median(std::move(logs.response))});
   }
   std::stable_sort(out.begin(), out.end(),
                    [](const PointLevel& a, const PointLevel& b) { return a.log_force < b.log_force; });
@@ -103,13 +97,11 @@ std::vector<ForceGroup> groups_of(const std::vector<PointLevel>& ascending) {
   return groups;
 }
 
-std::string points_text(const acquire::Record& record, const std::vector<PointLevel>& points) {
-  std::string text =
-      fmt::format("point{} ", plural(points.size())) +
-      limited_list(points.size(), kMaxListedPoints, [&](std::size_t i) { return std::to_string(points[i].point); });
-  if (points.size() == 1 && record.files.size() > 1)
-    text += fmt::format(" ({})", one_line(record.files[points.front().file].path, kMaxNameBytes));
-  return text;
+std::string points_text(const PointNames& names, const std::vector<PointLevel>& levels) {
+  std::vector<int> points;
+  points.reserve(levels.size());
+  for (const PointLevel& level : levels) points.push_back(level.point);
+  return names.list(points, kMaxListedPoints);
 }
 
 // "about 1200 times smaller": two digits, because the blows vary.
@@ -118,21 +110,21 @@ std::string times_text(double log_ratio) {
   return fmt::format("about {} times {}", factor, log_ratio < 0 ? "smaller" : "larger");
 }
 
-Warning other_unit(const acquire::Record& record, const ForceGroup& group, double log_force) {
+Warning other_unit(const acquire::Record& record, const PointNames& names, const ForceGroup& group, double log_force) {
   const bool thousand = std::abs(std::abs(log_force) - std::log(kThousand)) < std::log(kNearThousand);
   Warning warning{"units_differ",
                   fmt::format("the force of the hits at {} is {} than at the other points, but the responses are not: "
                               "is the force in another unit there{}, or its sensitivity wrong? FRFs, residues, shapes "
                               "and modal masses are wrong then",
-                              points_text(record, group.points), times_text(log_force),
+                              points_text(names, group.points), times_text(log_force),
                               thousand ? " (kN for N, mV for V)" : " (V for N)")};
   if (record.files.size() < 2) return with_remedy(std::move(warning), "write the force of all points in one unit");
   warning.options = {"force_scale"};
-  return with_remedy(std::move(warning), "state the scale of the force, one value for each file");
+  return with_remedy(std::move(warning), "state the scale of the force in N per stored unit, one value for each file");
 }
 
-Warning weak_points(const acquire::Record& record, const ForceGroup& group, double log_force, double log_response) {
-  const std::string points = points_text(record, group.points);
+Warning weak_points(const PointNames& names, const ForceGroup& group, double log_force, double log_response) {
+  const std::string points = points_text(names, group.points);
   Warning warning{"weak", fmt::format("the hits at {} are much weaker than at the other points: the force is {}, the "
                                       "responses {}. FRFs and shapes are mostly noise there; or, if the force is in "
                                       "another unit there, they and the modal masses are wrong",
@@ -142,8 +134,9 @@ Warning weak_points(const acquire::Record& record, const ForceGroup& group, doub
 
 }  // namespace
 
-std::vector<Warning> point_force_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {
-  const std::vector<ForceGroup> groups = groups_of(levels_of(record, hits));
+std::vector<Warning> point_force_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                          const PointNames& names) {
+  const std::vector<ForceGroup> groups = groups_of(levels_of(hits));
   if (groups.size() < 2) return {};
   // Of two groups with as many points, the weaker one is in doubt.
   const ForceGroup* usual = &groups.front();
@@ -157,9 +150,9 @@ std::vector<Warning> point_force_warnings(const acquire::Record& record, const s
     if (std::abs(log_force) < std::log(kMinFactor)) continue;
     const double sign = log_force < 0 ? -1 : 1;
     if (sign * log_response < std::log(kMaxResponseFactor)) {
-      out.push_back(other_unit(record, group, log_force));
+      out.push_back(other_unit(record, names, group, log_force));
     } else if (log_force < 0) {
-      out.push_back(weak_points(record, group, log_force, log_response));
+      out.push_back(weak_points(names, group, log_force, log_response));
     }
   }
   return out;

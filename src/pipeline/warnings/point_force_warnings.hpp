@@ -3,6 +3,7 @@
 
 #include "acquire/record/record.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
+#include "pipeline/warnings/point_names.hpp"
 #include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
@@ -13,6 +14,7 @@ namespace percuss::pipeline {
 ///                 unit or scale there
 ///   weak          the forces are smaller, and the responses by a factor of 10 or more, too
 /// Empty where the responses were not read, and for a test of one point.
-std::vector<Warning> point_force_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
+std::vector<Warning> point_force_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                          const PointNames& names);
 
 }  // namespace percuss::pipeline

@@ -108,6 +108,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"truncated_decay", Severity::info},
     {"no_geometry", Severity::info},
     {"points_from_one", Severity::info},
+    {"files_in_order", Severity::info},
     {"missing_points", Severity::info},
     {"geometry_unit_assumed", Severity::info},
     {"no_force", Severity::info},

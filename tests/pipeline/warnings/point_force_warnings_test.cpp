@@ -58,12 +58,14 @@ GradedTest survey(std::size_t points = kPoints, bool file_for_each_point = true)
   return test;
 }
 
-std::vector<Warning> warnings_of(const GradedTest& test) { return point_force_warnings(test.record, test.hits); }
+std::vector<Warning> warnings_of(const GradedTest& test) {
+  return point_force_warnings(test.record, test.hits, PointNames(test.record, test.record.points()));
+}
 
 TEST(PointForceWarnings, SayNothingOfHitsByHand) {
   EXPECT_THAT(warnings_of(survey()), IsEmpty());
   EXPECT_THAT(warnings_of(survey(1)), IsEmpty());
-  EXPECT_THAT(point_force_warnings({}, {}), IsEmpty());
+  EXPECT_THAT(point_force_warnings({}, {}, {}), IsEmpty());
 }
 
 TEST(PointForceWarnings, NameTheFileWhoseForceIsInAnotherUnit) {
@@ -85,7 +87,8 @@ TEST(PointForceWarnings, NameAMissingSensitivity) {
   const std::vector<Warning> warnings = warnings_of(test);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_THAT(warnings[0].message,
-              AllOf(StartsWith("the force of the hits at points 2, 3, 9 is "), HasSubstr("V for N")));
+              AllOf(StartsWith("the force of the hits at points 2 (p2.csv), 3 (p3.csv), 9 (p9.csv) is "),
+                    HasSubstr("V for N")));
 }
 
 TEST(PointForceWarnings, NameTheSmallerGroupWhereItsForceIsLarger) {
