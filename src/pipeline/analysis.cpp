@@ -116,7 +116,7 @@ std::vector<AnalysedHit> Analysis::compute_hits() const {
   const std::vector<HitSpectra> compared = spectra_of_hits(out, force_spectra(), responses(), lines().count);
   const ThreadLimit limit(options_.threads);
   trace_.run("agreement", [&] {
-    grade_agreement(out, compared);
+    grade_agreement(out, compared, record().rows);
     vote_first_motion(out);
   });
   return out;

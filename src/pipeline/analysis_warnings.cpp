@@ -51,7 +51,7 @@ std::vector<Warning> Analysis::warnings() const {
       responses_.ready() ? silent_points(graded, responses()) : std::vector<SilentPoint>{};
   std::set<std::size_t> silent_hits;
   for (const SilentPoint& one : silent_at) silent_hits.insert(one.hits.begin(), one.hits.end());
-  add(hit_warnings(record(), graded, silent_hits));
+  add(hit_warnings(record(), graded, point_names(), silent_hits));
   if (force_known) add(point_force_warnings(record(), graded, point_names()));
   if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples, point_names()));
   if (force_known) add(role_warnings(record(), graded));
