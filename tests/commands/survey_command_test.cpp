@@ -60,9 +60,10 @@ class SurveyCommand : public testing::Test {
     test::write_small_test(file("missing.h5"), R"("hits": 1, "faults": [{"hit": 0, "kind": "missing"}])");
   }
   static void TearDownTestSuite() { folder_.reset(); }
-  // The points as files points/P1.h5 ….
+  // The points as files points/P1.h5 …, and the hits as files hits/P1_1.h5 …
   static void write_parts(const acquire::Record& record) {
     std::filesystem::create_directory(file("points"));
+    std::filesystem::create_directory(file("hits"));
     const auto write = [&](const std::string& name, auto keep) {
       acquire::Record part = acquire::select_rows(record, keep);
       for (acquire::RowInfo& row : part.rows) row.point = 0;
@@ -71,6 +72,11 @@ class SurveyCommand : public testing::Test {
     std::string geometry = "point,position_mm,angle_deg\n";
     for (int p = 0; p < 18; ++p) {
       write(fmt::format("points/P{}.h5", p + 1), [&](const acquire::RowInfo& row) { return row.point == p; });
+      for (int h = 0; h < 2; ++h) {
+        int before = 0;
+        write(fmt::format("hits/P{}_{}.h5", p + 1, h + 1),
+              [&](const acquire::RowInfo& row) { return row.point == p && before++ == h; });
+      }
       geometry += fmt::format("{},{},{}\n", p + 1, 50 + 80 * (p / 6), 60 * (p % 6));
     }
     test::write_bytes(file("from_one.csv"), geometry);
@@ -151,6 +157,45 @@ TEST_F(SurveyCommand, RefusesAFileWhoseNumberTheGeometryLacks) {
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("the geometry lacks point 5, the number in the name of P5.h5"),
                                  HasSubstr("percuss convert --files")));
+}
+
+TEST_F(SurveyCommand, TakesFilesOfOneNameAsHitsOfOnePoint) {
+  const json points = document_of({file("points"), "--geometry", file("from_one.csv")});
+  const json hits = document_of({file("hits"), "--geometry", file("from_one.csv")});
+  EXPECT_EQ(hits["hits"].size(), 36U);
+  EXPECT_EQ(hits["hits"][2]["point"], 1);
+  ASSERT_EQ(hits["modes"].size(), points["modes"].size());
+  // A file of one hit is searched for its pulse, so that the lengths of the hits differ a little.
+  const auto close = [](const json& a, const json& b, const char* value, const char* std) {
+    EXPECT_NEAR(a[value].get<double>(), b[value].get<double>(), a[std].get<double>()) << value;
+  };
+  for (std::size_t m = 0; m < 2; ++m) {
+    close(hits["modes"][m], points["modes"][m], "frequency_hz", "frequency_std_hz");
+    for (std::size_t p = 0; p < 18; ++p)
+      close(hits["modes"][m]["residues"][p], points["modes"][m]["residues"][p], "re", "std");
+  }
+  EXPECT_THAT(messages_of(hits), Contains(HasSubstr("the 36 files are hits of 18 points, by their names: P1_1.h5, "
+                                                    "P1_2.h5 are hits of one point")));
+  // Without a geometry, the responses decide.
+  EXPECT_EQ(document_of({file("hits")})["hits"][2]["point"], 1);
+  EXPECT_EQ(document_of({file("hits"), "--files", "points"})["hits"][2]["point"], 2);
+}
+
+// Points of a grid that are numbered by row and column.
+TEST_F(SurveyCommand, TakesFilesWithOtherResponsesAsPoints) {
+  std::filesystem::create_directory(file("grid"));
+  for (int p = 0; p < 18; ++p) {
+    std::filesystem::copy_file(file(fmt::format("points/P{}.h5", p + 1)),
+                               file(fmt::format("grid/{}_{}.h5", 1 + p / 6, 1 + p % 6)));
+  }
+  const json document = document_of({file("grid")});
+  EXPECT_EQ(document["hits"][35]["point"], 17);
+  EXPECT_THAT(messages_of(document),
+              Contains(AllOf(HasSubstr("files_as_points: each of the 18 files is taken as a point"),
+                             HasSubstr("percuss convert "), HasSubstr("1_6.h5 --files hits -o "))));
+  const json placed = document_of({file("grid"), "--geometry", file("from_one.csv")});
+  EXPECT_EQ(placed["hits"][35]["point"], 17);
+  EXPECT_THAT(messages_of(placed), Not(Contains(HasSubstr("files_as_points")))) << "as many points as files";
 }
 
 // The record counts its points from 0.

@@ -33,6 +33,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"force_clipped", Severity::reject},
     {"response_clipped", Severity::reject},
     {"files_disagree", Severity::warn},
+    {"files_as_points", Severity::warn},
     {"same_motion", Severity::warn},
     {"angles_contradicted", Severity::warn},
     {"midway_hit", Severity::warn},
