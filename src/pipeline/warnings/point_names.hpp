@@ -43,8 +43,8 @@ GeometryNumbers geometry_numbers(const std::set<int>& geometry, const std::set<i
 enum class NamedFiles { points, hits, undecided };
 
 /// `groups` are files_of_hits(paths). The files are the hits of as many points as there are groups if the geometry has
-/// so many points, or if it lacks points that the files would be. `geometry`: the numbers in the stated geometry; without
-/// one (empty), and where it knows both, the names decide nothing.
+/// so many points, or if it lacks points that the files would be. Without a geometry (empty), and where it knows both,
+/// the names decide nothing. `geometry`: the numbers in the stated geometry.
 NamedFiles judge_named_files(const std::vector<std::string>& paths, const std::vector<acquire::FilesOfHits>& groups,
                              const std::set<int>& geometry);
 
