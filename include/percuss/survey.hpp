@@ -36,7 +36,7 @@ struct SurveyData;
 
 /// Where a point lies: coordinates, or a place on a tube, or both.
 struct GeometryPoint {
-  int point = 0;  // its number in the records
+  int point = 0;  // its number: in the record, or in the name of the point's file
   std::optional<std::array<double, 3>> xyz_m{};
   double position_m = 0;  // along the tube's axis, from the barrel's end
   double angle_rad = 0;   // around the axis

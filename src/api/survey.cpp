@@ -72,8 +72,12 @@ Geometry public_geometry(const acquire::Geometry& geometry) {
 
 template <class Input>
 std::shared_ptr<const SurveyData> survey_data(Input input, const SurveyOptions& options) {
+  pipeline::AnalysisOptions of_analysis = analysis_options(options.analysis);
+  if (options.geometry) {
+    for (const GeometryPoint& p : options.geometry->points) of_analysis.geometry_points.insert(p.point);
+  }
   const std::shared_ptr<const AnalysisData> analysis(
-      new AnalysisData{pipeline::Analysis(std::move(input), analysis_options(options.analysis))});
+      new AnalysisData{pipeline::Analysis(std::move(input), std::move(of_analysis))});
   pipeline::SurveyOptions its;
   if (options.roving)
     its.roving = *options.roving == Roving::sensor ? identify::Roving::sensor : identify::Roving::hammer;

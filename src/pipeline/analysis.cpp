@@ -32,6 +32,10 @@ Analysis::Analysis(acquire::FrfRecord frfs, AnalysisOptions options)
   if (options_.delays.automatic || !options_.delays.delay_s.empty()) refuse("a correction of delays", "delay");
 }
 
+const PointNames& Analysis::point_names() const {
+  return point_names_.get([&] { return PointNames(record(), points(), options_.geometry_points); });
+}
+
 const std::vector<AnalysedHit>& Analysis::force_hits() const {
   return within_budget(budget_, force_hits_, [&] {
     const ThreadLimit limit(options_.threads);
@@ -112,7 +116,7 @@ std::vector<AnalysedHit> Analysis::compute_hits() const {
   const std::vector<HitSpectra> compared = spectra_of_hits(out, force_spectra(), responses(), lines().count);
   const ThreadLimit limit(options_.threads);
   trace_.run("agreement", [&] {
-    grade_agreement(out, compared);
+    grade_agreement(out, compared, record().rows);
     vote_first_motion(out);
   });
   return out;

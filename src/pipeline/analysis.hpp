@@ -23,6 +23,7 @@
 #include "pipeline/stages/fit_quality.hpp"
 #include "pipeline/stages/hit_modes.hpp"
 #include "pipeline/stages/mode_stages.hpp"
+#include "pipeline/warnings/point_names.hpp"
 #include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
@@ -49,6 +50,9 @@ class Analysis {
   BudgetMeter& budget() const { return budget_; }
   /// Numbers of the measured points.
   std::set<int> points() const { return source_->points(); }
+
+  /// The names of the points in texts for people.
+  const PointNames& point_names() const;
 
   /// The delays taken out of the channels: stated in the options, or established by the phases of the modes.
   const std::vector<ChannelDelay>& corrected_delays() const;
@@ -166,6 +170,7 @@ class Analysis {
   Lazy<ChannelFindings> channel_findings_;
   Lazy<std::vector<HitMode>> modes_per_hit_;
   Lazy<identify::Stabilisation> stabilisation_;
+  Lazy<PointNames> point_names_;
 };
 
 }  // namespace percuss::pipeline

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -24,9 +25,10 @@ struct AnalysisOptions {
   DelayCorrection delays;
   identify::IdentifyOptions modes;
   identify::ClassifyOptions classes;
-  std::size_t threads = 0;       // 0: all
-  std::optional<Budget> budget;  // default: default_budget() of the input
-  std::vector<Warning> known;    // warnings about the input that are known before its analysis
+  std::size_t threads = 0;          // 0: all
+  std::optional<Budget> budget;     // default: default_budget() of the input
+  std::vector<Warning> known;       // warnings about the input that are known before its analysis
+  std::set<int> geometry_points{};  // numbers of the stated geometry, for the names of points; empty: none stated
 };
 
 /// The limits of an analysis of `record`: the stated ones, by default default_budget() of its files.

@@ -54,17 +54,21 @@ std::vector<Warning> Analysis::warnings() const {
   if (force_known && responses_.ready() && hits_.ready())
     silent_hits = hits_that_differ_by_noise(graded, responses(), transform_options());
   for (const SilentPoint& one : silent_at) silent_hits.insert(one.hits.begin(), one.hits.end());
-  add(hit_warnings(record(), graded, silent_hits));
-  if (force_known) add(point_force_warnings(record(), graded));
-  if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples));
+  add(hit_warnings(record(), graded, point_names(), silent_hits));
+  const std::vector<Warning> other_units =
+      force_known ? point_force_warnings(record(), graded, point_names()) : std::vector<Warning>{};
+  add(other_units);
+  if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples, point_names()));
   if (force_known) add(role_warnings(record(), graded));
   add(channel_warnings(record(), graded));
-  add(silent_point_warnings(record(), silent_at));
+  add(silent_point_warnings(record(), silent_at, point_names()));
   const auto silent = modes_.ready() && modes().empty() && responses_.ready()
                           ? silent_response_warnings(record(), graded, responses())
                           : std::vector<Warning>{};
   add(silent);
   if (force_known && responses_.ready() && hits_.ready()) add(record_findings(record(), graded, responses()));
+  if (modes_.ready() && force_known && other_units.empty())
+    add(point_range_warnings(record(), graded, modes(), point_names()));
   if (modes_.ready() && force_known) add(pretrigger_warnings(record(), graded, fitted_frfs()));
   if (responses_.ready() && options_.hits.gate_force) add(coupling_warnings(graded, band_Hz().first));
   add(rest_warnings(graded, earlier_ringing_.ready() ? earlier_ringing() : std::vector<EarlierRinging>{}));

@@ -8,27 +8,9 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/io/parse_number.hpp"
 
 namespace percuss::pipeline {
 namespace {
-
-constexpr std::size_t kMaxDigits = 9;  // of a number in a name
-
-// The parts of a name: runs of digits, and the texts between them. The first part is a text, perhaps an empty one.
-std::vector<std::string> parts_of_name(const std::string& name) {
-  std::vector<std::string> parts{""};
-  for (const char c : name) {
-    const bool in_number = parts.size() % 2 == 0;
-    if (is_digit(c) != in_number) parts.emplace_back();
-    parts.back() += c;
-  }
-  return parts;
-}
-
-std::string file_name_of(const std::string& path) {
-  return one_line(std::filesystem::path(path).filename().string(), kMaxNameBytes);
-}
 
 // One meaning of the numbers: the record's point for each number.
 struct NumberMeaning {
@@ -62,7 +44,7 @@ bool knows_all(const NumberMeaning& meaning, const std::vector<StatedDrivingPoin
 
 // The point's file where each file is one point, else its numbers.
 std::string point_text(int point, const PointNumbering& numbering) {
-  if (!numbering.files.empty()) return file_name_of(numbering.files.at(static_cast<std::size_t>(point)));
+  if (!numbering.files.empty()) return short_file_name(numbering.files.at(static_cast<std::size_t>(point)));
   return numbering.geometry_from_one ? fmt::format("point {} of the record, {} of the geometry", point, point + 1)
                                      : fmt::format("point {} of the record", point);
 }
@@ -86,7 +68,7 @@ Warning several_meanings(const StatedDrivingPoint& at, const NumberMeaning& chos
   if (numbering.files.empty()) return with_remedy(std::move(warning), "number the geometry as the record to be sure");
   const std::string& path = numbering.files.at(static_cast<std::size_t>(chosen.point_of.at(at.point)));
   return with_remedy(std::move(warning),
-                     fmt::format("name the file to be sure: {}:{}", file_name_of(path), at.channel));
+                     fmt::format("name the file to be sure: {}:{}", short_file_name(path), at.channel));
 }
 
 int point_of_file(const std::string& stated, const PointNumbering& numbering, const std::string& source) {
@@ -110,42 +92,6 @@ int point_of_file(const std::string& stated, const PointNumbering& numbering, co
 }
 
 }  // namespace
-
-std::vector<std::string> files_of_points(const acquire::Record& record, const std::set<int>& points) {
-  if (record.files.size() < 2 || points.size() != record.files.size()) return {};
-  if (*points.begin() != 0 || *points.rbegin() != static_cast<int>(points.size()) - 1) return {};
-  for (const acquire::RowInfo& row : record.rows) {
-    if (row.file != static_cast<std::size_t>(row.point)) return {};
-  }
-  std::vector<std::string> paths;
-  for (const acquire::InputFile& file : record.files) paths.push_back(file.path);
-  const std::set<std::string> different(paths.begin(), paths.end());
-  return different.size() == paths.size() ? paths : std::vector<std::string>{};
-}
-
-std::optional<std::vector<int>> numbers_in_names(const std::vector<std::string>& names) {
-  if (names.empty()) return std::nullopt;
-  std::vector<std::vector<std::string>> parts;
-  for (const std::string& name : names) parts.push_back(parts_of_name(name));
-  const std::vector<std::string>& first = parts.front();
-  std::optional<std::size_t> varying;
-  for (const auto& other : parts) {
-    if (other.size() != first.size()) return std::nullopt;
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      if (other[i] == first[i] || varying == i) continue;
-      if (i % 2 == 0 || varying) return std::nullopt;
-      varying = i;
-    }
-  }
-  if (!varying) return std::nullopt;
-  std::vector<int> numbers;
-  for (const auto& name : parts) {
-    if (name[*varying].size() > kMaxDigits) return std::nullopt;
-    numbers.push_back(std::stoi(name[*varying]));
-  }
-  const std::set<int> different(numbers.begin(), numbers.end());
-  return different.size() == numbers.size() ? std::optional(numbers) : std::nullopt;
-}
 
 DrivingPoints driving_points_of(const std::vector<StatedDrivingPoint>& stated, const PointNumbering& numbering,
                                 const std::string& source) {

@@ -1,12 +1,11 @@
 #pragma once
 #include <cstddef>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "acquire/record/record.hpp"
 #include "identify/shapes/mode_shapes.hpp"
+#include "pipeline/warnings/point_names.hpp"
 #include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
@@ -24,14 +23,6 @@ struct PointNumbering {
   std::vector<std::string> files{};  // of the points 0, 1, …; empty where the files state the numbers of their points
   bool geometry_from_one = false;    // the geometry's numbers are above the record's by one
 };
-
-/// The paths of the files where percuss numbered the points: each file is one point, 0, 1, … in the order of the
-/// files. Empty for other records, and where files have no names of their own.
-std::vector<std::string> files_of_points(const acquire::Record& record, const std::set<int>& points);
-
-/// The numbers in names that differ in one whole number only: 1, 2, 10 for P1.csv, P2.csv, P10.csv. Nothing for other
-/// names, and for numbers of more than nine digits.
-std::optional<std::vector<int>> numbers_in_names(const std::vector<std::string>& names);
 
 struct DrivingPoints {
   std::vector<identify::DrivingPoint> points;  // in numbers of the record

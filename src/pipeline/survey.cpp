@@ -13,7 +13,6 @@
 #include "identify/classify/asymmetry_split.hpp"
 #include "identify/start/cmif.hpp"
 #include "pipeline/radial_shape.hpp"
-#include "pipeline/survey_geometry.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
 #include "pipeline/warnings/reference_warnings.hpp"
@@ -88,9 +87,13 @@ bool Survey::is_tube() const {
 void Survey::place_points() {
   if (!geometry_) return;
   const std::set<int> measured = places();
+  const acquire::Record& record = analysis_.record();
+  // A geometry numbers places, and files with directions may share them.
+  const std::vector<std::string> files =
+      record.motions.empty() ? files_of_points(record, analysis_.points()) : std::vector<std::string>{};
   if (options_.geometry) {
-    geometry_from_one_ = counts_from_one(*geometry_, measured);
-    geometry_warnings_ = match_point_numbers(*geometry_, measured);
+    matched_ = match_point_numbers(*geometry_, measured, files);
+    geometry_warnings_ = matched_.warnings;
   }
   for (const acquire::GeometryPoint& p : geometry_->points) {
     if (is_tube()) tube_places_[static_cast<std::size_t>(p.point)] = {p.position_m, p.angle_rad};
@@ -100,9 +103,14 @@ void Survey::place_points() {
   };
   add(narrow_arc(*geometry_));
   if (!options_.geometry) return;
-  require_points(*geometry_, measured,
-                 options_.geometry_source.empty() ? analysis_.record().source() : options_.geometry_source);
-  add(missing_points(*geometry_, measured, analysis_.record().files.size()));
+  require_points(*geometry_, measured, options_.geometry_source.empty() ? record.source() : options_.geometry_source,
+                 matched_, files);
+  add(missing_points(*geometry_, measured, matched_, record.files.size()));
+}
+
+int Survey::stated_number(int point) const {
+  const auto stated = matched_.stated.find(point);
+  return stated != matched_.stated.end() ? stated->second : point;
 }
 
 void Survey::find_driving_points() {
@@ -111,21 +119,24 @@ void Survey::find_driving_points() {
   driving_ = options_.driving;
   if (!options_.stated_driving.empty()) {
     const acquire::Record& record = analysis_.record();
-    DrivingPoints found = driving_points_of(options_.stated_driving,
-                                            {.points = points,
-                                             .files = files_of_points(record, points),
-                                             .geometry_from_one = geometry_from_one_ && record.motions.empty()},
-                                            record.source());
+    DrivingPoints found = driving_points_of(
+        options_.stated_driving,
+        {.points = points,
+         .files = files_of_points(record, points),
+         .geometry_from_one = matched_.numbers == GeometryNumbers::from_one && record.motions.empty()},
+        record.source());
     driving_.insert(driving_.end(), found.points.begin(), found.points.end());
     geometry_warnings_.insert(geometry_warnings_.end(), found.warnings.begin(), found.warnings.end());
   }
   for (const identify::DrivingPoint& at : driving_) {
     if (points.contains(static_cast<int>(at.point)) && at.channel < accel.size()) continue;
-    throw InputError(fmt::format("point {} with channel {} was not measured", at.point, at.channel),
-                     analysis_.record().source(),
-                     fmt::format("choose POINT:CHANNEL from points {} to {} and channels 0 to {}", *points.begin(),
-                                 *points.rbegin(), accel.size() - 1),
-                     {"driving_point"});
+    const PointNames& names = analysis_.point_names();
+    throw InputError(
+        fmt::format("point {} with channel {} was not measured", names.name(static_cast<int>(at.point)), at.channel),
+        analysis_.record().source(),
+        fmt::format("choose POINT:CHANNEL from points {} to {} and channels 0 to {}", names.name(*points.begin()),
+                    names.name(*points.rbegin()), accel.size() - 1),
+        {"driving_point"});
   }
   if (driving_.empty()) {
     for (const acquire::DrivingPlace& at : analysis_.record().driving) {
@@ -260,11 +271,13 @@ std::vector<Warning> Survey::warnings() const {
                               .driving_checks = driving_checks(),
                               .reciprocity = reciprocity(),
                               .synthesis = synthesis(),
-                              .frf_points = analysis_.frf_points()};
+                              .frf_points = analysis_.frf_points(),
+                              .names = analysis_.point_names()};
   out.insert(out.end(), geometry_warnings_.begin(), geometry_warnings_.end());
   for (Warning& warning : survey_warnings(results)) out.push_back(std::move(warning));
   if (roving_ == identify::Roving::hammer) {
-    for (Warning& warning : reference_warnings(results.accel, results.modes)) out.push_back(std::move(warning));
+    for (Warning& warning : reference_warnings(results.accel, results.modes, results.names))
+      out.push_back(std::move(warning));
   }
   if (has_reversed_phase(analysis_.record())) remove_consequences_of_reversed_phase(out);
   return ranked(std::move(out));

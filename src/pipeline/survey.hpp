@@ -15,6 +15,7 @@
 #include "identify/shapes/shape_checks.hpp"
 #include "pipeline/analysis.hpp"
 #include "pipeline/stated_driving_points.hpp"
+#include "pipeline/survey_geometry.hpp"
 #include "pipeline/warnings/survey_warnings.hpp"
 
 namespace percuss::pipeline {
@@ -44,6 +45,8 @@ class Survey {
   std::set<int> places() const;
   /// The place of a point in the geometry.
   int place_of(std::size_t point) const;
+  /// The number in the geometry's file of a point of geometry(), which has the record's numbers.
+  int stated_number(int point) const;
 
   /// [modes]; a value is positive along the positive direction that the record states, if any.
   const std::vector<identify::ModeShape>& shapes() const;
@@ -74,7 +77,7 @@ class Survey {
   SurveyOptions options_;
   identify::Roving roving_;
   std::optional<acquire::Geometry> geometry_;
-  bool geometry_from_one_ = false;
+  MatchedPoints matched_;
   std::vector<Warning> geometry_warnings_;  // also about the numbers of driving points
   identify::TubeGeometry tube_places_;
   std::vector<identify::DrivingPoint> driving_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 
@@ -22,8 +23,10 @@ namespace percuss::survey_command_test {
 using nlohmann::json;
 using test::run_percuss;
 using testing::AllOf;
+using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 class SurveyCommand : public testing::Test {
  protected:
@@ -46,6 +49,7 @@ class SurveyCommand : public testing::Test {
     acquire::write_hdf5(file("barrel.h5"), record, true);
     record.geometry.clear();
     acquire::write_hdf5(file("bare.h5"), record, true);
+    write_parts(record);
     std::string geometry = "point,position_mm,angle_deg\n";
     for (std::size_t p = 0; p < 18; ++p) {
       geometry +=
@@ -56,6 +60,33 @@ class SurveyCommand : public testing::Test {
     test::write_small_test(file("missing.h5"), R"("hits": 1, "faults": [{"hit": 0, "kind": "missing"}])");
   }
   static void TearDownTestSuite() { folder_.reset(); }
+  // The points as files points/P1.h5 …, and the hits as files hits/P1_1.h5 …
+  static void write_parts(const acquire::Record& record) {
+    std::filesystem::create_directory(file("points"));
+    std::filesystem::create_directory(file("hits"));
+    const auto write = [&](const std::string& name, auto keep) {
+      acquire::Record part = acquire::select_rows(record, keep);
+      for (acquire::RowInfo& row : part.rows) row.point = 0;
+      acquire::write_hdf5(file(name), part, true);
+    };
+    std::string geometry = "point,position_mm,angle_deg\n";
+    for (int p = 0; p < 18; ++p) {
+      write(fmt::format("points/P{}.h5", p + 1), [&](const acquire::RowInfo& row) { return row.point == p; });
+      for (int h = 0; h < 2; ++h) {
+        int before = 0;
+        write(fmt::format("hits/P{}_{}.h5", p + 1, h + 1),
+              [&](const acquire::RowInfo& row) { return row.point == p && before++ == h; });
+      }
+      geometry += fmt::format("{},{},{}\n", p + 1, 50 + 80 * (p / 6), 60 * (p % 6));
+    }
+    test::write_bytes(file("from_one.csv"), geometry);
+  }
+  static std::vector<std::string> messages_of(const json& document) {
+    std::vector<std::string> out;
+    for (const json& warning : document["warnings"])
+      out.push_back(warning["code"].get<std::string>() + ": " + warning["message"].get<std::string>());
+    return out;
+  }
   static std::string file(const std::string& name) { return folder_->file(name); }
   static test::ProcessOutcome survey(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"survey", "--band", "60:1500"});
@@ -96,12 +127,79 @@ TEST_F(SurveyCommand, PrintsTheDocumentWithShapes) {
   EXPECT_EQ(document["frac"].size(), 18U);
 }
 
+// Without P7, the points that follow keep their places and names. The document holds indices.
+TEST_F(SurveyCommand, TakesTheNumbersInTheNamesOfFiles) {
+  const json all = document_of({file("points"), "--geometry", file("from_one.csv"), "--driving-point", "P1:0"});
+  EXPECT_THAT(messages_of(all), Not(Contains(HasSubstr("points_from_one"))));
+  std::filesystem::rename(file("points/P7.h5"), file("P7.h5"));
+  const auto outcome = survey({file("points"), "--geometry", file("from_one.csv"), "--driving-point", "P8:0", "--hits",
+                               "--force", "-o", file("s.html"), "-o", file("s.json"), "-o", file("s.csv")});
+  std::filesystem::rename(file("P7.h5"), file("points/P7.h5"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("from the driving point 8 (P8.h5, "),
+                                 HasSubstr("1 of the geometry's 18 points were not measured: 7;")));
+  EXPECT_THAT(test::bytes_of(file("s.html")),
+              AllOf(HasSubstr("\"6 (P6.h5)\",\"8 (P8.h5)\""), HasSubstr("not drawn: point 7 of the geometry")));
+  const json document = test::parse_json(test::bytes_of(file("s.json")));
+  EXPECT_EQ(document["driving_point"][0]["point"], 6);
+  ASSERT_EQ(document["modes"].size(), all["modes"].size());
+  EXPECT_EQ(document["modes"][1]["shape"]["circumferential_order"], 2);
+  const std::string place = ",6,0,0.13,", row = test::lines_of(test::bytes_of(file("s.csv"))).at(7);
+  ASSERT_THAT(row, HasSubstr(place));
+  EXPECT_NEAR(std::stod(row.substr(row.find(place) + place.size())), 60, 1e-9) << "the angle of P8, the seventh file";
+}
+
+TEST_F(SurveyCommand, RefusesAFileWhoseNumberTheGeometryLacks) {
+  std::string geometry = test::bytes_of(file("from_one.csv"));
+  geometry.erase(geometry.find("\n5,") + 1, geometry.find("\n6,") - geometry.find("\n5,"));
+  test::write_bytes(file("without_5.csv"), geometry);
+  const auto outcome = survey({file("points"), "--geometry", file("without_5.csv")});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("the geometry lacks point 5, the number in the name of P5.h5"),
+                                 HasSubstr("percuss convert --files")));
+}
+
+TEST_F(SurveyCommand, TakesFilesOfOneNameAsHitsOfOnePoint) {
+  const json points = document_of({file("points"), "--geometry", file("from_one.csv")});
+  const json hits = document_of({file("hits"), "--geometry", file("from_one.csv")});
+  EXPECT_EQ(hits["hits"].size(), 36U);
+  EXPECT_EQ(hits["hits"][2]["point"], 1);
+  ASSERT_EQ(hits["modes"].size(), points["modes"].size());
+  // A file of one hit is searched for its pulse, so that the lengths of the hits differ a little.
+  const auto close = [](const json& a, const json& b, const char* value, const char* std) {
+    EXPECT_NEAR(a[value].get<double>(), b[value].get<double>(), a[std].get<double>()) << value;
+  };
+  for (std::size_t m = 0; m < 2; ++m) {
+    close(hits["modes"][m], points["modes"][m], "frequency_hz", "frequency_std_hz");
+    for (std::size_t p = 0; p < 18; ++p)
+      close(hits["modes"][m]["residues"][p], points["modes"][m]["residues"][p], "re", "std");
+  }
+  EXPECT_THAT(messages_of(hits), Contains(HasSubstr("the 36 files are hits of 18 points, by their names: P1_1.h5, "
+                                                    "P1_2.h5 are hits of one point")));
+  // Without a geometry, the responses decide.
+  EXPECT_EQ(document_of({file("hits")})["hits"][2]["point"], 1);
+  EXPECT_EQ(document_of({file("hits"), "--files", "points"})["hits"][2]["point"], 2);
+}
+
+// Points of a grid that are numbered by row and column.
+TEST_F(SurveyCommand, TakesFilesWithOtherResponsesAsPoints) {
+  std::filesystem::create_directory(file("grid"));
+  for (int p = 0; p < 18; ++p) {
+    std::filesystem::copy_file(file(fmt::format("points/P{}.h5", p + 1)),
+                               file(fmt::format("grid/{}_{}.h5", 1 + p / 6, 1 + p % 6)));
+  }
+  const json document = document_of({file("grid")});
+  EXPECT_EQ(document["hits"][35]["point"], 17);
+  EXPECT_THAT(messages_of(document),
+              Contains(AllOf(HasSubstr("files_as_points: each of the 18 files is taken as a point"),
+                             HasSubstr("percuss convert "), HasSubstr("1_6.h5 --files hits -o "))));
+  const json placed = document_of({file("grid"), "--geometry", file("from_one.csv")});
+  EXPECT_EQ(placed["hits"][35]["point"], 17);
+  EXPECT_THAT(messages_of(placed), Not(Contains(HasSubstr("files_as_points")))) << "as many points as files";
+}
+
 // The record counts its points from 0.
 TEST_F(SurveyCommand, ReadsGeometryNumberedFromOne) {
-  std::string text = "point,position_mm,angle_deg\n";
-  for (std::size_t p = 0; p < 18; ++p)
-    text += std::to_string(p + 1) + "," + std::to_string(50 + 80 * (p / 6)) + "," + std::to_string(60 * (p % 6)) + "\n";
-  test::write_bytes(file("from_one.csv"), text);
   const json document = document_of({file("bare.h5"), "--geometry", file("from_one.csv")});
   const json expected = document_of({file("bare.h5"), "--geometry", file("points.csv")});
   EXPECT_EQ(document["modes"], expected["modes"]);

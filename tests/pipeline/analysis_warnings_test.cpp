@@ -98,7 +98,8 @@ TEST(Warnings, NameAPointAtWhichASensorShowsNothing) {
       });
   const AnalysisOptions options = band(50, 500);
   const std::vector<std::string> warnings = warnings_of(record, options);
-  EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("dead_channel: "), HasSubstr(" shows only noise at point 7 (hits "))));
+  EXPECT_THAT(warnings,
+              Contains(AllOf(HasSubstr("dead_channel: "), HasSubstr(" shows only noise at point 7 in hits "))));
   EXPECT_THAT(warnings, Not(Contains(HasSubstr("hits_disagree"))));
   EXPECT_THAT(warnings_of(good, options), Not(Contains(HasSubstr("shows only noise"))));
 }
@@ -186,14 +187,14 @@ TEST(Warnings, NameAChannelThatDoesNotRespondToASingleHit) {
   EXPECT_THAT(warnings_of(record), Contains(HasSubstr("dead_channel: accel 1 does not respond: ")));
 }
 
-/// The record with the force of one point in kN.
-acquire::Record with_kilonewtons_at(acquire::Record record, int point) {
+/// The record with another scale of the force of one point.
+acquire::Record with_force_at(acquire::Record record, int point, double factor) {
   record.contiguous.clear();
-  record.read_force_N = [inner = record.read_force_N, rows = record.rows, point](std::size_t row, std::size_t first,
-                                                                                 std::span<double> out) {
+  record.read_force_N = [inner = record.read_force_N, rows = record.rows, point, factor](
+                            std::size_t row, std::size_t first, std::span<double> out) {
     inner(row, first, out);
     if (rows[row].point != point) return;
-    for (double& force : out) force *= 1e-3;
+    for (double& force : out) force *= factor;
   };
   return record;
 }
@@ -202,9 +203,30 @@ TEST(Warnings, BeginWithAForceInAnotherUnit) {
   const acquire::Record good = synth::synthesise(synth::synth_preset("plate")).record;
   const AnalysisOptions options = band(50, 500);
   EXPECT_THAT(warnings_of(good, options), Not(Contains(HasSubstr("units_differ"))));
-  const std::vector<std::string> warnings = warnings_of(with_kilonewtons_at(good, 7), options);
+  const std::vector<std::string> warnings = warnings_of(with_force_at(good, 7, 1e-3), options);
   ASSERT_FALSE(warnings.empty());
   EXPECT_THAT(warnings.front(), HasSubstr("units_differ: the force of the hits at point 7 is about "));
+}
+
+// The hammer's amplifier was set to another gain at one point.
+TEST(Warnings, NameAForceThatIsWrongByTenAtOnePoint) {
+  const acquire::Record good = synth::synthesise(synth::synth_preset("plate")).record;
+  const AnalysisOptions options = band(50, 500);
+  for (const int point : {0, 7, 12}) {
+    for (const double factor : {0.1, 10.0}) {
+      EXPECT_THAT(warnings_of(with_force_at(good, point, factor), options),
+                  Contains(HasSubstr("units_differ: the force of the hits at point " + std::to_string(point) + " is ")))
+          << factor;
+    }
+    const acquire::Record soft =
+        with_force_at(test::with_changed_accel(good,
+                                               [&](std::size_t row, std::size_t, std::vector<double>& x) {
+                                                 if (good.rows[row].point != point) return;
+                                                 for (double& value : x) value *= 0.1;
+                                               }),
+                      point, 0.1);
+    EXPECT_THAT(warnings_of(soft, options), Not(Contains(HasSubstr("units_differ")))) << point;
+  }
 }
 
 TEST(Warnings, NameADeadChannel) {

@@ -8,10 +8,8 @@
 namespace percuss::pipeline::stated_driving_points_test {
 
 using testing::AllOf;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Optional;
 
 const std::set<int> kFour{0, 1, 2, 3};
 const std::vector<std::string> kFromOne{"plate/P1.csv", "plate/P2.csv", "plate/P3.csv", "plate/P4.csv"};
@@ -20,22 +18,6 @@ const std::vector<std::string> kWords{"plate/corner.csv", "plate/edge.csv", "pla
 
 std::size_t point_of(const StatedDrivingPoint& stated, const PointNumbering& numbering) {
   return driving_points_of({stated}, numbering, "plate").points.at(0).point;
-}
-
-TEST(StatedDrivingPoints, ReadsTheNumbersInNames) {
-  EXPECT_THAT(numbers_in_names({"a/P1.csv", "a/P2.csv", "a/P10.csv"}), Optional(ElementsAre(1, 2, 10)));
-  EXPECT_THAT(numbers_in_names({"2024_beam_pt01.h5", "2024_beam_pt02.h5"}), Optional(ElementsAre(1, 2)));
-  EXPECT_THAT(numbers_in_names({"7", "9"}), Optional(ElementsAre(7, 9)));
-  for (const std::vector<std::string>& names :
-       std::vector<std::vector<std::string>>{{},
-                                             {"P1.csv"},
-                                             {"P1.csv", "P01.csv"},
-                                             {"P1.csv", "Q2.csv"},
-                                             {"P1.csv", "P2b.csv"},
-                                             {"r1_P1.csv", "r2_P2.csv"},
-                                             {"P1.csv", "P1.csv"},
-                                             {"P20240101120000.csv", "P20240101120100.csv"}})
-    EXPECT_FALSE(numbers_in_names(names).has_value()) << testing::PrintToString(names);
 }
 
 TEST(StatedDrivingPoints, TakeTheNumberInTheNameOfAFile) {
@@ -101,24 +83,6 @@ TEST(StatedDrivingPoints, RefuseWhatIsNoPoint) {
   EXPECT_THAT(refusal({.file = "P9"}, {.points = kFour}), HasSubstr("no file \"P9\" is a point of its own"));
   EXPECT_THAT(refusal({.file = "P1"}, {.points = {0, 1}, .files = {"a/P1.csv", "b/P1.csv"}}),
               HasSubstr("2 points have a file \"P1\""));
-}
-
-TEST(StatedDrivingPoints, FindsFilesThatArePoints) {
-  acquire::Record record;
-  for (int i = 0; i < 3; ++i) {
-    record.files.push_back({.path = "P" + std::to_string(i + 1) + ".csv"});
-    record.rows.push_back({.samples = 8, .file = static_cast<std::size_t>(i), .point = i});
-  }
-  EXPECT_THAT(files_of_points(record, record.points()), ElementsAre("P1.csv", "P2.csv", "P3.csv"));
-  acquire::Record hits = record;
-  for (acquire::RowInfo& row : hits.rows) row.point = 0;
-  EXPECT_THAT(files_of_points(hits, hits.points()), IsEmpty());
-  acquire::Record stated = record;
-  std::swap(stated.rows[0].point, stated.rows[1].point);
-  EXPECT_THAT(files_of_points(stated, stated.points()), IsEmpty());
-  acquire::Record arrays = record;
-  for (acquire::InputFile& file : arrays.files) file.path = "arrays";
-  EXPECT_THAT(files_of_points(arrays, arrays.points()), IsEmpty());
 }
 
 }  // namespace percuss::pipeline::stated_driving_points_test

@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tuple>
+
+#include "support/input_error.hpp"
+
 namespace percuss::pipeline::survey_geometry_test {
 
 using testing::ElementsAre;
@@ -18,9 +22,10 @@ acquire::Geometry triangle(int first) {
 
 TEST(SurveyGeometry, CountsFromZeroWithItsLinesAndFaces) {
   acquire::Geometry geometry = triangle(1);
-  const auto warnings = match_point_numbers(geometry, {0, 1, 2});
-  ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_EQ(warnings.front().code, "points_from_one");
+  const MatchedPoints matched = match_point_numbers(geometry, {0, 1, 2});
+  ASSERT_EQ(matched.warnings.size(), 1U);
+  EXPECT_EQ(matched.warnings.front().code, "points_from_one");
+  EXPECT_EQ(matched.stated.at(0), 1);
   EXPECT_EQ(geometry.points.front().point, 0);
   EXPECT_THAT(geometry.lines.front(), ElementsAre(0, 1));
   EXPECT_THAT(geometry.faces.front(), ElementsAre(0, 1, 2));
@@ -29,7 +34,7 @@ TEST(SurveyGeometry, CountsFromZeroWithItsLinesAndFaces) {
 TEST(SurveyGeometry, StaysWhereItsNumbersFit) {
   for (const std::set<int>& measured : std::vector<std::set<int>>{{1, 2}, {1, 2, 3}, {0, 7}}) {
     acquire::Geometry geometry = triangle(1);
-    EXPECT_THAT(match_point_numbers(geometry, measured), IsEmpty());
+    EXPECT_THAT(match_point_numbers(geometry, measured).warnings, IsEmpty());
     EXPECT_EQ(geometry.points.front().point, 1);
   }
 }
@@ -37,18 +42,70 @@ TEST(SurveyGeometry, StaysWhereItsNumbersFit) {
 TEST(SurveyGeometry, SaysThatItsUnitIsAssumed) {
   acquire::Geometry geometry = triangle(0);
   geometry.unit_assumed = true;
-  const auto warnings = match_point_numbers(geometry, {0, 1, 2});
+  const auto warnings = match_point_numbers(geometry, {0, 1, 2}).warnings;
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(warnings.front().code, "geometry_unit_assumed");
 }
 
 TEST(SurveyGeometry, NamesPointsWithoutMeasurement) {
-  EXPECT_THAT(missing_points(triangle(0), {0, 1, 2}, 1), IsEmpty());
-  const auto warnings = missing_points(triangle(0), {0, 2}, 3);
+  EXPECT_THAT(missing_points(triangle(0), {0, 1, 2}, {}, 1), IsEmpty());
+  const auto warnings = missing_points(triangle(0), {0, 2}, {}, 3);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_THAT(warnings.front().message, testing::StartsWith("1 of the geometry's 3 points were not measured: 1;"));
   // The order of files explains nothing where one file states its points.
-  EXPECT_EQ(missing_points(triangle(0), {0, 2}, 1).at(0).message, "1 of the geometry's 3 points were not measured: 1");
+  EXPECT_EQ(missing_points(triangle(0), {0, 2}, {}, 1).at(0).message,
+            "1 of the geometry's 3 points were not measured: 1");
+}
+
+// P2.csv is missing: P3.csv is point 3, not point 2. The order of the files does not matter.
+TEST(SurveyGeometry, TakesTheNumbersInTheNamesOfFiles) {
+  for (const auto& [files, first, last] : {std::tuple{std::vector<std::string>{"P1.csv", "P3.csv"}, 0, 1},
+                                           std::tuple{std::vector<std::string>{"P3.csv", "P1.csv"}, 1, 0}}) {
+    acquire::Geometry geometry = triangle(1);
+    const MatchedPoints matched = match_point_numbers(geometry, {0, 1}, files);
+    EXPECT_EQ(matched.numbers, GeometryNumbers::file_names);
+    EXPECT_THAT(matched.warnings, IsEmpty());
+    EXPECT_EQ(geometry.points[0].point, first) << "the place of P1";
+    EXPECT_EQ(geometry.points[1].point, 2) << "not measured";
+    EXPECT_EQ(geometry.points[2].point, last) << "the place of P3";
+    EXPECT_THAT(geometry.lines.front(), ElementsAre(first, 2));
+    EXPECT_THAT(geometry.faces.front(), ElementsAre(first, 2, last));
+    EXPECT_NO_THROW(require_points(geometry, {0, 1}, "geo.csv", matched, files));
+    const auto missing = missing_points(geometry, {0, 1}, matched, files.size());
+    ASSERT_EQ(missing.size(), 1U);
+    EXPECT_EQ(missing.front().message,
+              "1 of the geometry's 3 points were not measured: 2; each file is the point of the number in its name");
+  }
+}
+
+TEST(SurveyGeometry, RefusesAFileWhoseNumberItLacks) {
+  const std::vector<std::string> files{"a/P1.csv", "a/P2.csv", "a/P4.csv"};
+  acquire::Geometry geometry = triangle(1);
+  const MatchedPoints matched = match_point_numbers(geometry, {0, 1, 2}, files);
+  EXPECT_EQ(matched.numbers, GeometryNumbers::contradicted);
+  EXPECT_EQ(test::input_error_of([&] {
+              require_points(geometry, {0, 1, 2}, "geo.csv", matched, files);
+            }),
+            "the geometry lacks point 4, the number in the name of P4.csv (geo.csv); add it, or name the files by the "
+            "geometry's numbers; to take the files in their order, join them to one record first");
+}
+
+TEST(SurveyGeometry, SaysThatFilesOfOtherNumbersAreTakenInOrder) {
+  acquire::Geometry geometry = triangle(1);
+  const auto warnings = match_point_numbers(geometry, {0, 1, 2}, {"t_101502", "t_101640", "t_101733"}).warnings;
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings.front().code, "files_in_order");
+  EXPECT_THAT(warnings.front().message, testing::HasSubstr("t_101502 is point 1"));
+}
+
+TEST(SurveyGeometry, SaysThatEachFileIsTakenAsAPoint) {
+  const std::vector<std::string> files{"a.csv", "b.csv", "c.csv", "d.csv"};
+  acquire::Geometry geometry = triangle(1);
+  const MatchedPoints matched = match_point_numbers(geometry, {0, 1, 2, 3}, files);
+  EXPECT_THAT(test::input_error_of([&] {
+                require_points(geometry, {0, 1, 2, 3}, "geo.csv", matched, files);
+              }),
+              testing::HasSubstr("lacks point 4: each of the 4 files is taken as a point, and d.csv is point 4"));
 }
 
 // "Add point 0" would shift all other points by one.

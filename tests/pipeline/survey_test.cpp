@@ -289,6 +289,56 @@ TEST(Survey, TakesTheNumberOfADrivingPointFromTheNameOfItsFile) {
       HasSubstr("with channel 1 was not measured"));
 }
 
+// P7.csv is missing. Without the numbers in the names, the shape at P8 would be drawn at point 7, and so on.
+TEST(Survey, PlacesFilesByTheNumbersInTheirNames) {
+  synth::SynthSpec spec = roving(barrel(), 2);
+  spec.modes.resize(2);
+  const synth::SyntheticTest made = synth::synthesise(spec);
+  acquire::Geometry geometry = acquire::geometry_of_record(made.record.geometry).value();
+  acquire::shift_points(geometry, 1);
+  constexpr int kMissing = 6;  // as an index
+  acquire::Record record =
+      acquire::select_rows(made.record, [](const acquire::RowInfo& row) { return row.point != kMissing; });
+  record.geometry.clear();
+  record.files.clear();
+  for (std::size_t p = 0; p < 16; ++p) {
+    if (p != kMissing) record.files.push_back({.path = "P" + std::to_string(p + 1) + ".csv"});
+  }
+  for (acquire::RowInfo& row : record.rows) {
+    if (row.point > kMissing) --row.point;
+    row.file = static_cast<std::size_t>(row.point);
+  }
+  const Analysis analysis(record, in_band());
+  const auto mac_with_truth = [&](const acquire::Geometry& of) {
+    const Survey survey(analysis, {.geometry = of});
+    double least = 1;
+    for (std::size_t m = 0; m < 2; ++m) {
+      double product = 0, own = 0, true_ones = 0;
+      for (const identify::ShapePlace& place : survey.shapes()[m].places) {
+        const int number = survey.stated_number(static_cast<int>(place.point));
+        const double truth = made.truth.residue_per_kg.at(static_cast<std::size_t>(number - 1))[0][m];
+        product += place.value.real() * truth;
+        own += std::norm(place.value);
+        true_ones += truth * truth;
+      }
+      least = std::min(least, product * product / (own * true_ones));
+    }
+    return least;
+  };
+  constexpr double kMinMac = 0.9999;  // noise of 1e-3
+  EXPECT_GT(mac_with_truth(geometry), kMinMac);
+  const Survey survey(analysis, {.geometry = geometry});
+  EXPECT_THAT(survey.warnings(),
+              Contains(Field(&Warning::message, HasSubstr("1 of the geometry's 16 points were not measured: 7; each "
+                                                          "file is the point of the number in its name"))));
+  acquire::Geometry without = geometry;
+  std::erase_if(without.points, [](const acquire::GeometryPoint& p) { return p.point == kMissing + 1; });
+  EXPECT_GT(mac_with_truth(without), kMinMac);
+  std::erase_if(without.points, [](const acquire::GeometryPoint& p) { return p.point == 16; });
+  EXPECT_THAT(test::input_error_of([&] { const Survey refused(analysis, {.geometry = without}); }),
+              HasSubstr("the geometry lacks point 16, the number in the name of P16.csv"));
+}
+
 TEST(Survey, WarnsOfAWrongDrivingPointSignAndBrokenReciprocity) {
   synth::SynthSpec spec = roving(barrel(), 2);
   spec.modes.resize(2);

@@ -13,6 +13,7 @@
 #include "cli/provenance.hpp"
 #include "cli/report_output.hpp"
 #include "commands/commands.hpp"
+#include "commands/survey_files.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/parse_number.hpp"
@@ -70,24 +71,13 @@ pipeline::SurveyOptions survey_options(const SurveyFlags& flags) {
   return options;
 }
 
-// By default several files are points of one test.
-std::unique_ptr<pipeline::Analysis> analysis_of(const SurveyFlags& flags) {
-  if (flags.read.files == acquire::FileGrouping::tests)
-    throw OptionError::wrong_value("files", "tests", "give points or hits", "a survey is one test");
-  Measurements opened = open_measurements(flags.read);
-  if (!opened.frfs.empty()) {
-    return std::make_unique<pipeline::Analysis>(join_frfs_of(flags.read, std::move(opened.frfs)),
-                                                analysis_options(flags.analysis));
+// The analysis knows the geometry's numbers, by which it names points.
+std::unique_ptr<pipeline::Analysis> analysis_of(const SurveyFlags& flags, const pipeline::SurveyOptions& survey) {
+  pipeline::AnalysisOptions options = analysis_options(flags.analysis);
+  if (survey.geometry) {
+    for (const acquire::GeometryPoint& p : survey.geometry->points) options.geometry_points.insert(p.point);
   }
-  const acquire::FileGrouping grouping =
-      flags.read.files == acquire::FileGrouping::automatic ? acquire::FileGrouping::points : flags.read.files;
-  acquire::Record record = acquire::join_records(std::move(opened.records), grouping);
-  for (const acquire::RowInfo& row : record.rows) {
-    if (row.run == record.rows.front().run) continue;
-    throw InputError("several runs", record.files.empty() ? record.source() : record.files[row.file].path,
-                     "a survey is one test; put each run into a file of its own");
-  }
-  return std::make_unique<pipeline::Analysis>(std::move(record), analysis_options(flags.analysis));
+  return survey_analysis(flags.read, options);
 }
 
 bool is_indicator(const std::string& path) { return path.ends_with(".cmif.csv"); }
@@ -159,7 +149,7 @@ int run_survey(const SurveyFlags& flags) {
   check_survey_outputs(flags.output);
   const pipeline::SurveyOptions options = survey_options(flags);
   Progress progress("analysing", flags.output.quiet);
-  const std::shared_ptr<const pipeline::Analysis> shared_analysis = analysis_of(flags);
+  const std::shared_ptr<const pipeline::Analysis> shared_analysis = analysis_of(flags, options);
   const pipeline::Analysis& analysis = *shared_analysis;
   const auto results =
       std::make_shared<const SurveyResults>(SurveyResults{.analysis = shared_analysis, .survey = {analysis, options}});
@@ -187,8 +177,9 @@ void add_survey(CommandLine& line) {
                                  [flags] { return run_survey(*flags); });
   command.about(
       "Analyses a test of many points: mode shapes, their MAC, modal masses if a driving point is known, and bending "
-      "or hoop with the circumferential order from the shapes. A file holds all points or one of them. A geometry file "
-      "gives their coordinates; --example prints one.");
+      "or hoop with the circumferential order from the shapes. A file holds all points, one of them (P1, P2, ...) or "
+      "hits "
+      "of one (P1_1, P1_2, ...). A geometry file gives their coordinates; --example prints one.");
   command.example("percuss survey barrel.h5 --band 60:3200",
                   "Identify the shapes of a barrel whose record holds the geometry");
   command.example(

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,6 +51,10 @@ std::optional<Geometry> geometry_of_record(const std::vector<std::vector<double>
 /// through their mean. The position is the coordinate along the axis. The angle counts from the next axis (y for x, z
 /// for y, x for z) towards the one after. Changes nothing where they do not lie in rings.
 void tube_from_coordinates(Geometry& geometry);
+
+/// Replaces all point numbers, also in the lines and faces. number(n) is the new number of point n; different points
+/// need different numbers.
+void renumber_points(Geometry& geometry, const std::function<int(int)>& number);
 
 /// Adds `by` to all point numbers, also in the lines and faces.
 void shift_points(Geometry& geometry, int by);

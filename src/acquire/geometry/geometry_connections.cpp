@@ -98,14 +98,18 @@ void add_connections(Geometry& geometry, const std::vector<Connection>& connecti
   }
 }
 
-void shift_points(Geometry& geometry, int by) {
-  for (GeometryPoint& point : geometry.points) point.point += by;
+void renumber_points(Geometry& geometry, const std::function<int(int)>& number) {
+  for (GeometryPoint& point : geometry.points) point.point = number(point.point);
   for (auto& line : geometry.lines) {
-    for (int& end : line) end += by;
+    for (int& end : line) end = number(end);
   }
   for (auto& face : geometry.faces) {
-    for (int& corner : face) corner += by;
+    for (int& corner : face) corner = number(corner);
   }
+}
+
+void shift_points(Geometry& geometry, int by) {
+  renumber_points(geometry, [by](int point) { return point + by; });
 }
 
 }  // namespace percuss::acquire

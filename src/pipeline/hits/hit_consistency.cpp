@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "core/math/statistics.hpp"
 #include "core/parallel/parallel.hpp"
@@ -87,7 +88,7 @@ std::optional<std::size_t> odd_of_three(const std::vector<HitSpectra>& spectra, 
 }
 
 void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra,
-                 std::vector<std::size_t> members) {
+                 std::vector<std::size_t> members, const std::vector<acquire::RowInfo>& rows) {
   std::vector<double> errors = unexplained(spectra, members);
   while (members.size() >= kMinHitsToFindOutlier) {
     const auto worst = static_cast<std::size_t>(std::max_element(errors.begin(), errors.end()) - errors.begin());
@@ -107,6 +108,8 @@ void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& 
     if (members.size() > kMaxHitsToCompare || !try_out(odd_one(spectra, members))) break;
   }
   const std::optional<std::size_t> odd = odd_of_three(spectra, members, errors);
+  const bool any_low = std::any_of(errors.begin(), errors.end(), [](double e) { return 1 - e < kLowCoherence; });
+  const bool several_tests = any_low && may_be_several_tests(rows, hits, members);
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (1 - errors[i] >= kLowCoherence) continue;
     const char* others = odd == i ? "the other two hits agree with each other and " : "the other hits ";
@@ -114,7 +117,7 @@ void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& 
                                              .severity = acquire::Severity::warn,
                                              .value = 1 - errors[i],
                                              .message = disagreement(1 - errors[i], others),
-                                             .options = {"files"}});
+                                             .options = {several_tests ? "files" : "reject_hit"}});
   }
 }
 
@@ -130,7 +133,23 @@ std::vector<HitSpectra> spectra_of_hits(const std::vector<AnalysedHit>& hits, co
   return spectra;
 }
 
-void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra) {
+bool may_be_several_tests(const std::vector<acquire::RowInfo>& rows, const std::vector<AnalysedHit>& hits,
+                          const std::vector<std::size_t>& of_point) {
+  std::set<std::size_t> files;
+  for (const std::size_t h : of_point) {
+    if (hits[h].hit.row < rows.size()) files.insert(rows[hits[h].hit.row].file);
+  }
+  if (files.size() < 2) return false;
+  std::set<int> points, points_of_files;
+  for (const acquire::RowInfo& row : rows) {
+    points.insert(row.point);
+    if (files.contains(row.file)) points_of_files.insert(row.point);
+  }
+  return points.size() == 1 || points_of_files.size() > 1;
+}
+
+void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra,
+                     const std::vector<acquire::RowInfo>& rows) {
   std::map<int, std::vector<std::size_t>> points;
   for (std::size_t h = 0; h < hits.size(); ++h) {
     if (hits[h].accepted && !spectra[h].force.empty()) points[hits[h].point].push_back(h);
@@ -139,7 +158,7 @@ void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectr
   groups.reserve(points.size());
   for (auto& [point, members] : points) groups.push_back(std::move(members));
   parallel_for_cost(groups.size(), kFlopsPerHit * (hits.size() / std::max<std::size_t>(groups.size(), 1)),
-                    [&](std::size_t g) { grade_point(hits, spectra, std::move(groups[g])); });
+                    [&](std::size_t g) { grade_point(hits, spectra, std::move(groups[g]), rows); });
 }
 
 void vote_first_motion(std::vector<AnalysedHit>& hits) {

@@ -163,15 +163,16 @@ std::vector<SilentPoint> silent_points(const std::vector<AnalysedHit>& hits, con
   return out;
 }
 
-std::vector<Warning> silent_point_warnings(const acquire::Record& record, const std::vector<SilentPoint>& silent) {
+std::vector<Warning> silent_point_warnings(const acquire::Record& record, const std::vector<SilentPoint>& silent,
+                                           const PointNames& names) {
   std::vector<Warning> out;
   for (const SilentPoint& one : silent) {
     out.push_back(with_remedy({"dead_channel",
-                               fmt::format("{} shows only noise at point {} ({}): no sample exceeds {:.0f} standard "
+                               fmt::format("{} shows only noise at point {} in {}: no sample exceeds {:.0f} standard "
                                            "deviations of its noise before the hit. Its shapes are wrong there, "
                                            "unless the structure is at rest at this point",
-                                           one_line(record.accel[one.channel].name, kMaxNameBytes), one.point,
-                                           hit_list(one.hits), kNoiseExtreme),
+                                           one_line(record.accel[one.channel].name, kMaxNameBytes),
+                                           names.name(one.point), hit_list(one.hits), kNoiseExtreme),
                                {},
                                "",
                                acquire::Severity::warn},

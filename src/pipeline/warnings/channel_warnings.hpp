@@ -3,6 +3,7 @@
 
 #include "acquire/record/record.hpp"
 #include "pipeline/hits/hit_spectra.hpp"
+#include "pipeline/warnings/point_names.hpp"
 #include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
@@ -34,6 +35,7 @@ struct SilentPoint {
 /// The points of a survey at which a channel stays in its noise, although it clearly responds to most hits.
 std::vector<SilentPoint> silent_points(const std::vector<AnalysedHit>& hits, const HitResponses& responses);
 /// dead_channel for these points.
-std::vector<Warning> silent_point_warnings(const acquire::Record& record, const std::vector<SilentPoint>& silent);
+std::vector<Warning> silent_point_warnings(const acquire::Record& record, const std::vector<SilentPoint>& silent,
+                                           const PointNames& names);
 
 }  // namespace percuss::pipeline

@@ -6,10 +6,13 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <set>
 #include <utility>
 
+#include "core/io/counted_words.hpp"
 #include "core/math/statistics.hpp"
+#include "pipeline/hits/hit_consistency.hpp"
 #include "pipeline/hits/motion_before.hpp"
 #include "pipeline/warnings/hit_list.hpp"
 
@@ -38,25 +41,53 @@ HitsWithFinding accepted_hits_with(const std::vector<AnalysedHit>& hits, acquire
   return out;
 }
 
-Warning disagreement(const HitsWithFinding& poor, bool several_files) {
-  const std::string which = (poor.hits.size() == 1 ? "response of " : "responses of ") + hit_list(poor.hits);
-  Warning warning{"hits_disagree", "the other hits explain less than half of the " + which +
-                                       ": was another structure, point or sensor measured? The modes belong to a "
-                                       "mixture"};
-  if (!several_files) {
-    if (poor.hits.size() > 1)
-      return with_remedy(std::move(warning), "analyse the hits of each structure and point apart");
-    warning.options = {"reject_hit"};
-    return with_remedy(std::move(warning), "reject this hit if it was elsewhere");
+// The accepted hits of a test, by point.
+std::map<int, std::vector<std::size_t>> hits_of_points(const std::vector<AnalysedHit>& hits) {
+  std::map<int, std::vector<std::size_t>> out;
+  for (const std::size_t h : accepted_hits(hits)) out[hits[h].point].push_back(h);
+  return out;
+}
+
+Warning disagreement(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                     const std::vector<std::size_t>& poor, const PointNames& names) {
+  const auto all = hits_of_points(hits);
+  std::map<int, std::vector<std::size_t>> points;  // with poor hits
+  for (const std::size_t h : poor) points[hits[h].point].push_back(h);
+  const bool survey = all.size() > 1;
+  std::vector<std::string> who;
+  for (const auto& [point, of_point] : points)
+    who.push_back(hit_list(of_point) + (survey ? fmt::format(" at point {}", names.name(point)) : ""));
+  constexpr std::size_t kMaxListedPoints = 8;
+  Warning warning{"hits_disagree",
+                  fmt::format("the other hits explain less than half of the response{} of {}: was another structure, "
+                              "point or sensor measured? The modes belong to a mixture",
+                              plural(poor.size()),
+                              limited_list(who.size(), kMaxListedPoints, [&](std::size_t i) { return who[i]; }))};
+  const bool several_tests = std::any_of(points.begin(), points.end(), [&](const auto& one) {
+    return may_be_several_tests(record.rows, hits, all.at(one.first));
+  });
+  if (several_tests) {
+    warning.options = {"files"};
+    return with_remedy(std::move(warning), "analyse each file as a test of its own");
   }
-  warning.options = {"files"};
-  return with_remedy(std::move(warning), "analyse each file as a test of its own");
+  if (poor.size() > 1 && !survey)
+    return with_remedy(std::move(warning), "analyse the hits of each structure and point apart");
+  warning.options = {"reject_hit"};
+  if (poor.size() == 1 && !survey) return with_remedy(std::move(warning), "reject this hit if it was elsewhere");
+  const bool odd_ones =
+      std::all_of(points.begin(), points.end(), [](const auto& one) { return one.second.size() == 1; });
+  if (!odd_ones) {
+    return with_remedy(std::move(warning), fmt::format("measure {} again, or reject the hits that were elsewhere",
+                                                       points.size() == 1 ? "this point" : "these points"));
+  }
+  return with_remedy(std::move(warning), fmt::format("reject {} if {} elsewhere", hit_list(poor),
+                                                     poor.size() == 1 ? "it was" : "they were"));
 }
 
 }  // namespace
 
 std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
-                                  const std::set<std::size_t>& silent) {
+                                  const PointNames& names, const std::set<std::size_t>& silent) {
   std::vector<Warning> out;
   const std::size_t rejected = hits.size() - accepted_hits(hits).size();
   if (rejected > 0) {
@@ -65,7 +96,7 @@ std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vect
   }
   auto poor = accepted_hits_with(hits, acquire::FindingCode::low_coherence, kPoorCoherence);
   std::erase_if(poor.hits, [&](std::size_t h) { return silent.contains(h); });
-  if (!poor.hits.empty()) out.push_back(disagreement(poor, record.files.size() > 1));
+  if (!poor.hits.empty()) out.push_back(disagreement(record, hits, poor.hits, names));
   if (const auto negative = accepted_hits_with(hits, acquire::FindingCode::polarity); !negative.hits.empty()) {
     out.push_back(with_remedy({"polarity",
                                fmt::format("the force of {} is negative during the pulse, down to {:.4g} N: the FRFs "

@@ -6,6 +6,7 @@
 #include "acquire/record/record.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
 #include "pipeline/stages/earlier_ringing.hpp"
+#include "pipeline/warnings/point_names.hpp"
 #include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
@@ -13,7 +14,7 @@ namespace percuss::pipeline {
 /// rejected_hits, hits_disagree, polarity, implausible_force, low_bandwidth. `silent`: hits whose responses, or
 /// what the other hits leave unexplained of them, are noise alone.
 std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
-                                  const std::set<std::size_t>& silent = {});
+                                  const PointNames& names, const std::set<std::size_t>& silent = {});
 
 /// not_at_rest, and earlier_ringing for the ringing that was subtracted.
 std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits, const std::vector<EarlierRinging>& ringing);

@@ -2,7 +2,9 @@
 #include <vector>
 
 #include "acquire/record/record.hpp"
+#include "identify/model/mode.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
+#include "pipeline/warnings/point_names.hpp"
 #include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
@@ -13,6 +15,15 @@ namespace percuss::pipeline {
 ///                 unit or scale there
 ///   weak          the forces are smaller, and the responses by a factor of 10 or more, too
 /// Empty where the responses were not read, and for a test of one point.
-std::vector<Warning> point_force_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
+std::vector<Warning> point_force_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                          const PointNames& names);
+
+/// units_differ: points whose force was measured with another range or gain. Their median force differs from the
+/// others' by a factor of 5 or more, with pulses of the same length (within 30 %), and the modes contradict a soft or
+/// hard blow. Where the force is smaller, at least two modes move 2.5 times more per newton there than at any other
+/// point; where it is larger, no mode reaches a fifth of its largest amplitude. At least two thirds of the points, and
+/// six, must have about one force, and three modes must show clearly.
+std::vector<Warning> point_range_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                          const std::vector<identify::Mode>& modes, const PointNames& names);
 
 }  // namespace percuss::pipeline

@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "core/io/counted_words.hpp"
 #include "core/math/statistics.hpp"
 #include "core/units.hpp"
 #include "pipeline/channels/reference_ratios.hpp"
@@ -33,19 +32,22 @@ std::string cause(double factor, const std::string& first, const std::string& se
 }
 
 // "at points 14, 15, 16 it is -1 times this: one of them was reversed there"
-std::string group_text(const std::string& cause, const std::vector<ReferenceContradiction>& points) {
+std::string group_text(const std::string& cause, const std::vector<ReferenceContradiction>& contradictions,
+                       const PointNames& names) {
   std::vector<double> factors;
-  for (const ReferenceContradiction& at : points) factors.push_back(at.factor);
-  const std::string numbers =
-      limited_list(points.size(), kMaxNamedPoints, [&](std::size_t i) { return std::to_string(points[i].point); });
-  return fmt::format("at point{} {} it is {:.2g} times this: {} there", plural(points.size()), numbers, median(factors),
+  std::vector<int> points;
+  for (const ReferenceContradiction& at : contradictions) {
+    factors.push_back(at.factor);
+    points.push_back(static_cast<int>(at.point));
+  }
+  return fmt::format("at {} it is {:.2g} times this: {} there", names.list(points, kMaxNamedPoints), median(factors),
                      cause);
 }
 
 }  // namespace
 
 std::vector<Warning> reference_warnings(const std::vector<acquire::SignalInfo>& accel,
-                                        const std::vector<identify::Mode>& modes) {
+                                        const std::vector<identify::Mode>& modes, const PointNames& names) {
   const auto name = [&](std::size_t channel) { return one_line(accel[channel].name, kMaxNameBytes); };
   using Groups = std::map<std::string, std::vector<ReferenceContradiction>>;  // by cause
   std::map<std::pair<std::size_t, std::size_t>, Groups> pairs;
@@ -56,7 +58,7 @@ std::vector<Warning> reference_warnings(const std::vector<acquire::SignalInfo>& 
   std::vector<Warning> out;
   for (const auto& [pair, groups] : pairs) {
     std::string list;
-    for (const auto& [cause, points] : groups) list += (list.empty() ? "" : "; ") + group_text(cause, points);
+    for (const auto& [cause, points] : groups) list += (list.empty() ? "" : "; ") + group_text(cause, points, names);
     out.push_back(with_remedy(
         {"sensors_disagree",
          fmt::format(

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "core/error.hpp"
+#include "core/io/counted_words.hpp"
 #include "core/units.hpp"
 #include "pipeline/warnings/mode_warnings.hpp"
 #include "pipeline/warnings/sensor_name.hpp"
@@ -121,13 +124,26 @@ void warn_of_partners(const SurveyResults& survey, std::vector<Warning>& out) {
   }
 }
 
-void warn_of_signs(const SurveyResults& survey, std::vector<Warning>& out) {
-  std::string wrong;
+std::string name_of_point(const SurveyResults& survey, std::size_t point) {
+  return survey.names.name(static_cast<int>(point));
+}
+
+// "modes 1, 3 at point 8 (P8.csv), accel 1": the modes of each driving point whose residue has the wrong sign.
+std::string wrong_signs(const SurveyResults& survey) {
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> modes;  // by point and channel
   for (const identify::DrivingPointCheck& check : survey.driving_checks) {
-    if (check.wrong_sign)
-      add_name(wrong, fmt::format("mode {} at point {}, {}", check.mode + 1, check.at.point,
-                                  sensor_name(survey.accel, check.at.channel)));
+    if (check.wrong_sign) modes[{check.at.point, check.at.channel}].push_back(check.mode + 1);
   }
+  std::string out;
+  for (const auto& [at, wrong] : modes) {
+    add_name(out, fmt::format("mode{} {} at point {}, {}", plural(wrong.size()), fmt::join(wrong, ", "),
+                              name_of_point(survey, at.first), sensor_name(survey.accel, at.second)));
+  }
+  return out;
+}
+
+void warn_of_signs(const SurveyResults& survey, std::vector<Warning>& out) {
+  const std::string wrong = wrong_signs(survey);
   if (!wrong.empty()) {
     out.push_back(with_remedy(
         {"driving_point_sign", "a driving point's residue must be positive, and is not for " + wrong +
@@ -138,8 +154,9 @@ void warn_of_signs(const SurveyResults& survey, std::vector<Warning>& out) {
   std::string broken;
   for (const identify::ReciprocityCheck& check : survey.reciprocity) {
     if (check.difference > kMaxDifference && check.deviations > kMaxDeviations) {
-      add_name(broken, fmt::format("mode {}, points {} and {} ({:.0f} %)", check.mode + 1, check.one.point,
-                                   check.other.point, check.difference * 100));
+      add_name(broken, fmt::format("mode {}, points {} and {} ({:.0f} %)", check.mode + 1,
+                                   name_of_point(survey, check.one.point), name_of_point(survey, check.other.point),
+                                   check.difference * 100));
     }
   }
   if (!broken.empty()) {
@@ -154,9 +171,9 @@ void warn_of_frac(const SurveyResults& survey, std::vector<Warning>& out) {
   std::size_t count = 0;
   for (const identify::SynthesisedFrf& frf : survey.synthesis) {
     if (!poorly_explained(frf) || ++count > kMaxNamed) continue;
-    add_name(poor,
-             fmt::format("point {} {} ({:.4f}{})", survey.frf_points[frf.point], sensor_name(survey.accel, frf.channel),
-                         frf.frac, noise_alone(frf) ? ", the rest is noise" : ""));
+    add_name(poor, fmt::format("point {} {} ({:.4f}{})", survey.names.name(survey.frf_points[frf.point]),
+                               sensor_name(survey.accel, frf.channel), frf.frac,
+                               noise_alone(frf) ? ", the rest is noise" : ""));
   }
   if (count == 0) return;
   if (count > kMaxNamed) poor += fmt::format(" and {} more", count - kMaxNamed);

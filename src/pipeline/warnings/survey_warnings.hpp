@@ -8,6 +8,7 @@
 #include "identify/shapes/circumferential_orders.hpp"
 #include "identify/shapes/mode_shapes.hpp"
 #include "identify/shapes/shape_checks.hpp"
+#include "pipeline/warnings/point_names.hpp"
 #include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
@@ -25,6 +26,7 @@ struct SurveyResults {
   std::vector<identify::ReciprocityCheck> reciprocity;
   const std::vector<identify::SynthesisedFrf>& synthesis;  // [FRF channels]; `point` is an index into frf_points
   std::vector<int> frf_points;
+  const PointNames& names;
 };
 
 /// no_geometry, sensor_on_node, driving_point_sign, reciprocity, frac, double_peak.

@@ -72,7 +72,7 @@ void add_short_hit(std::vector<Warning>& out, const acquire::Record& record, con
 }  // namespace
 
 std::vector<Warning> used_hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
-                                       std::size_t samples) {
+                                       std::size_t samples, const PointNames& names) {
   std::vector<Warning> out;
   if (!any_accepted(hits)) return out;
   if (const UsedInSpite clipped = used_in_spite_of(hits, FindingCode::force_clipped); !clipped.hits.empty()) {
@@ -94,12 +94,10 @@ std::vector<Warning> used_hit_warnings(const acquire::Record& record, const std:
         "repeat the hits of these points"));
   }
   if (const std::vector<int> points = dropped_points(hits); !points.empty()) {
-    const std::string list =
-        limited_list(points.size(), kMaxPoints, [&](std::size_t i) { return std::to_string(points[i]); });
     out.push_back(with_remedy({"dropped_points",
-                               fmt::format("no hit can be used at point{} {}: FRFs and shapes lack {}. Each hit's "
-                                           "verdict gives the reason",
-                                           plural(points.size()), list, points.size() == 1 ? "it" : "them"),
+                               fmt::format("no hit can be used at {}: FRFs and shapes lack {}. Each hit's verdict "
+                                           "gives the reason",
+                                           names.list(points, kMaxPoints), points.size() == 1 ? "it" : "them"),
                                {"accept_hit"}},
                               "repeat these hits, or accept one despite its findings"));
   }

@@ -84,6 +84,16 @@ Json places_json(const pipeline::Survey& survey, const std::vector<int>& points)
   return out;
 }
 
+// What the page calls the points: their numbers, or their names.
+Json names_json(const pipeline::PointNames& names, const std::vector<int>& points) {
+  Json out = Json::array();
+  for (const int point : points) {
+    const std::string name = names.name(point);
+    out.push_back(name == std::to_string(point) ? Json(point) : Json(name));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<std::size_t> drawn_lines(const acquire::LineRange& band, const std::vector<identify::Mode>& modes,
@@ -160,10 +170,15 @@ Json fit_plot_json(const pipeline::Analysis& analysis, const pipeline::Survey* s
     lines = drawn_lines(band, modes, peaks, limit);
     bits = packed(lines);
   }
-  Json json{
-      {"first_hz", band.freq_Hz(0)},  {"df_hz", band.df_Hz()},     {"count", lines.size()}, {"of", band.count},
-      {"lines", packed_lines(lines)}, {"channels", Json::array()}, {"points", points},      {"frfs", Json::array()},
-      {"peaks", Json::array()}};
+  Json json{{"first_hz", band.freq_Hz(0)},
+            {"df_hz", band.df_Hz()},
+            {"count", lines.size()},
+            {"of", band.count},
+            {"lines", packed_lines(lines)},
+            {"channels", Json::array()},
+            {"points", names_json(analysis.point_names(), points)},
+            {"frfs", Json::array()},
+            {"peaks", Json::array()}};
   for (const acquire::SignalInfo& signal : analysis.record().accel) json["channels"].push_back(channel_title(signal));
   if (survey != nullptr) json["places"] = places_json(*survey, points);
   for (std::size_t o = 0; o < set.channels.size(); ++o) {

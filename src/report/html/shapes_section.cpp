@@ -82,7 +82,7 @@ std::string unmeasured_points(const pipeline::Survey& survey) {
   std::size_t count = 0;
   for (const acquire::GeometryPoint& one : survey.geometry()->points) {
     if (measured.contains(one.point) || ++count > kMaxListed) continue;
-    list += fmt::format("{}{}", list.empty() ? "" : ", ", one.point);
+    list += fmt::format("{}{}", list.empty() ? "" : ", ", survey.stated_number(one.point));
   }
   if (count == 0) return "";
   const std::string more = count > kMaxListed ? fmt::format(" and {} more", count - kMaxListed) : "";

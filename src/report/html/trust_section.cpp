@@ -120,6 +120,7 @@ constexpr auto kPlaces = std::to_array<PlacedCode>({
     {"no_geometry", PagePart::shapes},
     {"narrow_arc", PagePart::shapes},
     {"missing_points", PagePart::shapes},
+    {"files_in_order", PagePart::shapes},
     {"missing_position", PagePart::shapes},
     {"mass_loading", PagePart::shapes},
 });

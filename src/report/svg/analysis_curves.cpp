@@ -42,7 +42,8 @@ std::string name_of_frf(const pipeline::Analysis& analysis, const acquire::Point
   const acquire::SignalInfo& signal = analysis.record().accel[frf.channel];
   std::string name = signal.name;
   if (signal.angle_rad) name += fmt::format(" ({:.4g}°)", *signal.angle_rad * kRadian_deg);
-  return analysis.frf_points().size() > 1 ? fmt::format("point {}, {}", frf.point, name) : name;
+  if (analysis.frf_points().size() == 1) return name;
+  return fmt::format("point {}, {}", analysis.point_names().name(frf.point), name);
 }
 
 FrfCurve curve_of_frf(const pipeline::Analysis& analysis, const acquire::PointFrf& frf,

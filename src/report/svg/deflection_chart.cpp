@@ -49,8 +49,9 @@ std::vector<const pipeline::DeflectedHit*> hits_of_points(const pipeline::Impact
   return out;
 }
 
-std::string place_of(const pipeline::DeflectedHit& hit) {
-  return hit.position_m ? fmt::format("{:g} m", *hit.position_m) : fmt::format("point {}", hit.point);
+std::string place_of(const pipeline::Analysis& analysis, const pipeline::DeflectedHit& hit) {
+  if (hit.position_m) return fmt::format("{:g} m", *hit.position_m);
+  return fmt::format("point {}", analysis.point_names().name(hit.point));
 }
 
 // The samples before the standard deviation exceeds kMaxDrawnStd of the peak. A hit without a significant deflection
@@ -102,8 +103,8 @@ LineChart deflection_chart(const pipeline::Analysis& analysis, const pipeline::I
     all_drawn = all_drawn && samples == hit->deflection.deflection_m.size();
     add_curve(analysis, *hit,
               !several      ? fmt::format("hit {}, {}", hit->hit + 1, sensor)
-              : one_channel ? place_of(*hit)
-                            : fmt::format("{}, {}", place_of(*hit), sensor),
+              : one_channel ? place_of(analysis, *hit)
+                            : fmt::format("{}, {}", place_of(analysis, *hit), sensor),
               samples, chart);
   }
   if (!all_drawn) chart.title += ", until its ± exceeds half the peak";

@@ -69,7 +69,7 @@ HitsTable hits_table(const pipeline::Analysis& analysis, const std::vector<pipel
     const acquire::Hit& hit = hits[i].hit;
     const bool pulse = !hit.gated_N.empty();
     std::vector<std::string> cells{fmt::format("{}", i + 1)};
-    if (points) cells.push_back(fmt::format("{}", hits[i].point));
+    if (points) cells.push_back(fmt::format("{}", analysis.point_names().number(hits[i].point)));
     if (files) {
       const std::string& path = analysis.record().files[analysis.record().rows[hit.row].file].path;
       cells.push_back(one_line(path.substr(path.rfind('/') + 1), 40));

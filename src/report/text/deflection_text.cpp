@@ -35,7 +35,7 @@ ReportText deflection_tables(const pipeline::Analysis& analysis, const pipeline:
                   {"method"}});
   for (const pipeline::DeflectedHit& hit : test.hits) {
     const metrics::Deflection& d = hit.deflection;
-    hits.add({fmt::format("{}", hit.hit + 1), fmt::format("{}", hit.point),
+    hits.add({fmt::format("{}", hit.hit + 1), analysis.point_names().name(hit.point),
               pipeline::sensor_name(analysis.record().accel, hit.channel), millimetres(d.peak_m, d.peak_std_m),
               d.has_peak() ? fmt::format("{:.4f} s", sample_time_s(analysis, hit, d.peak)) : "",
               fmt::format("{:.2g} mm", 1000 * d.drift_m), name_of(d.method)});
@@ -44,7 +44,7 @@ ReportText deflection_tables(const pipeline::Analysis& analysis, const pipeline:
       {{"point", Align::right}, {"sensor"}, {"hits", Align::right}, {"mean of the largest deflections", Align::right}});
   bool repeats = false;
   for (const pipeline::PointDeflection& point : test.points) {
-    points.add({fmt::format("{}", point.point), pipeline::sensor_name(analysis.record().accel, point.channel),
+    points.add({analysis.point_names().name(point.point), pipeline::sensor_name(analysis.record().accel, point.channel),
                 fmt::format("{}", point.hits), millimetres(point.peak_m, point.std_m)});
     repeats = repeats || point.hits > 1;
   }

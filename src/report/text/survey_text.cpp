@@ -94,12 +94,17 @@ std::string scale_text(const pipeline::Survey& survey) {
   });
   if (unit == 0) return "shapes: scaled to 1 at their largest component, because no driving point is known\n";
   std::string points;
-  const auto& names = survey.analysis().record().accel;
-  const std::vector<std::string> files =
-      pipeline::files_of_points(survey.analysis().record(), survey.analysis().points());
+  const pipeline::Analysis& analysis = survey.analysis();
   for (const identify::DrivingPoint& at : survey.driving_points()) {
-    const std::string file = files.empty() ? "" : one_line(files.at(at.point)) + ", ";
-    points += fmt::format("{}point {} ({}{})", points.empty() ? "" : ", ", at.point, file, names.at(at.channel).name);
+    std::string name = analysis.point_names().name(static_cast<int>(at.point));
+    const std::string& sensor = analysis.record().accel.at(at.channel).name;
+    if (name.ends_with(')')) {
+      name.pop_back();
+      name += ", " + sensor + ")";  // "7 (P7.csv, accel 1)"
+    } else {
+      name += " (" + sensor + ")";
+    }
+    points += fmt::format("{}point {}", points.empty() ? "" : ", ", name);
   }
   return fmt::format(
       "shapes: unit modal mass, from the driving {}{}\n", points,

@@ -119,6 +119,24 @@ TEST_F(HitAgreement, OnlyWarnsOfAnOutlierAmongThreeHits) {
   EXPECT_LE(found(2, acquire::FindingCode::low_coherence)->value, 0.9);
 }
 
+// In a survey, a wrong hit is rejected. Files of hits of one point may be several tests.
+TEST_F(HitAgreement, SuggestsToRejectAHitOrToSeparateFiles) {
+  const auto option_for = [&](const std::vector<acquire::RowInfo>& rows) {
+    hits_.clear(), force_.clear(), accel_.clear();
+    make(3, 0.01);
+    for (std::size_t h = 0; h < 3; ++h) hits_[h].hit.row = h;
+    for (Complex& line : accel_[2]) line *= -1;
+    std::vector<HitSpectra> spectra;
+    for (std::size_t h = 0; h < hits_.size(); ++h) spectra.push_back({.force = force_[h], .accel = {accel_[h]}});
+    grade_agreement(hits_, spectra, rows);
+    return found(2, acquire::FindingCode::low_coherence)->options.at(0);
+  };
+  EXPECT_EQ(option_for({{.file = 0}, {.file = 0}, {.file = 0}}), "reject_hit");
+  EXPECT_EQ(option_for({{.file = 0}, {.file = 1}, {.file = 2}}), "files");
+  EXPECT_EQ(option_for({{.file = 0}, {.file = 1}, {.file = 2}, {.file = 3, .point = 1}}), "reject_hit");
+  EXPECT_EQ(option_for({{.file = 0}, {.file = 1}, {.file = 2}, {.file = 0, .point = 1}}), "files");
+}
+
 // Each hit is compared with the FRF of the other two. A strong wrong hit dominates this FRF: the two good hits fit it
 // badly, although they agree with each other.
 TEST_F(HitAgreement, NamesTheOddOneOfThreeHits) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "pipeline/warnings/ranking.hpp"
 
@@ -58,12 +59,14 @@ GradedTest survey(std::size_t points = kPoints, bool file_for_each_point = true)
   return test;
 }
 
-std::vector<Warning> warnings_of(const GradedTest& test) { return point_force_warnings(test.record, test.hits); }
+std::vector<Warning> warnings_of(const GradedTest& test) {
+  return point_force_warnings(test.record, test.hits, PointNames(test.record, test.record.points()));
+}
 
 TEST(PointForceWarnings, SayNothingOfHitsByHand) {
   EXPECT_THAT(warnings_of(survey()), IsEmpty());
   EXPECT_THAT(warnings_of(survey(1)), IsEmpty());
-  EXPECT_THAT(point_force_warnings({}, {}), IsEmpty());
+  EXPECT_THAT(point_force_warnings({}, {}, {}), IsEmpty());
 }
 
 TEST(PointForceWarnings, NameTheFileWhoseForceIsInAnotherUnit) {
@@ -85,7 +88,8 @@ TEST(PointForceWarnings, NameAMissingSensitivity) {
   const std::vector<Warning> warnings = warnings_of(test);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_THAT(warnings[0].message,
-              AllOf(StartsWith("the force of the hits at points 2, 3, 9 is "), HasSubstr("V for N")));
+              AllOf(StartsWith("the force of the hits at points 2 (p2.csv), 3 (p3.csv), 9 (p9.csv) is "),
+                    HasSubstr("V for N")));
 }
 
 TEST(PointForceWarnings, NameTheSmallerGroupWhereItsForceIsLarger) {
@@ -147,6 +151,81 @@ TEST(PointForceWarnings, IgnoreHitsThatAreNotUsedAndOffsets) {
   EXPECT_THAT(warnings_of(test), ElementsAre(Field(&Warning::code, "units_differ")));
   for (AnalysedHit& hit : test.hits) hit.accepted = hit.point != 5;
   EXPECT_THAT(warnings_of(test), IsEmpty());
+}
+
+constexpr double kPulse_s = 1e-3;
+
+// Four bending modes of a free beam at the points of survey(), without noise; `force` is the factor by which the force
+// at one point is wrong, so that its residues are wrong by 1/force.
+std::vector<identify::Mode> beam_modes(int point, double force, double std = 1e-3) {
+  std::vector<identify::Mode> modes(4);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    for (std::size_t p = 0; p < kPoints; ++p) {
+      const double x = static_cast<double>(p) / (kPoints - 1);
+      const double scale = static_cast<int>(p) == point ? 1 / force : 1;
+      modes[m].residues.push_back(
+          {.point = p, .value = scale * std::cos(std::numbers::pi * static_cast<double>(m + 2) * x), .std = std});
+    }
+  }
+  return modes;
+}
+
+// The survey whose hits at one point have this factor of force and of pulse length.
+GradedTest survey_of_force(int point, double force, double response, double pulse) {
+  GradedTest test = survey();
+  for (AnalysedHit& hit : test.hits) hit.hit.pulse_s = hit.point == point ? pulse * kPulse_s : kPulse_s;
+  test.record.force.to_SI = 0.5;
+  test.scale(point, force, response);
+  return test;
+}
+
+std::vector<Warning> range_warnings_of(const GradedTest& test, const std::vector<identify::Mode>& modes) {
+  return point_range_warnings(test.record, test.hits, modes, PointNames(test.record, test.record.points()));
+}
+
+TEST(PointRangeWarnings, NameAPointWhoseForceIsWrongByTen) {
+  for (const int point : {0, 3, 7, 11}) {
+    const std::vector<Warning> small = range_warnings_of(survey_of_force(point, 0.1, 1, 1), beam_modes(point, 0.1));
+    ASSERT_EQ(small.size(), 1U) << point;
+    EXPECT_EQ(small[0].code, "units_differ");
+    EXPECT_THAT(small[0].options, ElementsAre("force_scale"));
+    EXPECT_THAT(small[0].message,
+                AllOf(StartsWith("the force of the hits at point " + std::to_string(point) + " (p" +
+                                 std::to_string(point) + ".csv) is about "),
+                      HasSubstr("times smaller"), HasSubstr("5 for the files of this point, 0.5 for")));
+    const std::vector<Warning> large = range_warnings_of(survey_of_force(point, 10, 1, 1), beam_modes(point, 10));
+    ASSERT_EQ(large.size(), 1U) << point;
+    EXPECT_THAT(large[0].message, AllOf(HasSubstr("times larger"), HasSubstr("0.05 for the files of this point")));
+  }
+}
+
+TEST(PointRangeWarnings, SayNothingOfSoftAndHardBlows) {
+  EXPECT_THAT(range_warnings_of(survey_of_force(3, 1, 1, 1), beam_modes(3, 1)), IsEmpty());
+  for (const int point : {0, 3, 7, 11}) {
+    EXPECT_THAT(range_warnings_of(survey_of_force(point, 0.1, 0.1, 1), beam_modes(point, 1)), IsEmpty()) << point;
+    EXPECT_THAT(range_warnings_of(survey_of_force(point, 10, 10, 1), beam_modes(point, 1)), IsEmpty()) << point;
+  }
+}
+
+// A thin part that moves much takes little force, in a long pulse.
+TEST(PointRangeWarnings, SayNothingOfASoftPlace) {
+  EXPECT_THAT(range_warnings_of(survey_of_force(3, 0.1, 1, 2), beam_modes(3, 0.1)), IsEmpty());
+}
+
+TEST(PointRangeWarnings, NeedModesAboveTheNoiseAndUsualPoints) {
+  std::vector<identify::Mode> noise = beam_modes(3, 0.1);
+  for (identify::Mode& mode : noise) {
+    for (identify::Residue& residue : mode.residues) {
+      if (residue.point == 3) residue.std = std::abs(residue.value) / 3;
+    }
+  }
+  EXPECT_THAT(range_warnings_of(survey_of_force(3, 0.1, 1, 1), noise), IsEmpty());
+  std::vector<identify::Mode> two = beam_modes(3, 0.1);
+  two.resize(2);
+  EXPECT_THAT(range_warnings_of(survey_of_force(3, 0.1, 1, 1), two), IsEmpty());
+  GradedTest uneven = survey_of_force(3, 0.1, 1, 1);  // half of the points are struck softly
+  for (int point = 6; point < static_cast<int>(kPoints); ++point) uneven.scale(point, 0.1, 0.1);
+  EXPECT_THAT(range_warnings_of(uneven, beam_modes(3, 0.1)), IsEmpty());
 }
 
 }  // namespace percuss::pipeline::point_force_warnings_test

@@ -1,0 +1,88 @@
+#include "acquire/record/files_of_hits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "core/io/parse_number.hpp"
+
+namespace percuss::acquire {
+namespace {
+
+constexpr std::size_t kMaxHitDigits = 6;  // longer numbers are dates and times
+
+struct NameOfHit {
+  std::string stem;
+  int number = 0;
+};
+
+// The place where the word, in any case, ends `text`; nothing where another letter stands before it.
+std::optional<std::size_t> start_of_word(std::string_view text, std::string_view word) {
+  if (text.size() <= word.size()) return std::nullopt;
+  const std::size_t at = text.size() - word.size();
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    if (lower(text[at + i]) != word[i]) return std::nullopt;
+  }
+  const char before = lower(text[at - 1]);
+  return before >= 'a' && before <= 'z' ? std::nullopt : std::optional(at);
+}
+
+std::string_view without_separators(std::string_view text) {
+  constexpr std::string_view kSeparators = "_- (";
+  while (!text.empty() && kSeparators.find(text.back()) != std::string_view::npos) text.remove_suffix(1);
+  return text;
+}
+
+std::optional<NameOfHit> name_of_hit(const std::string& path) {
+  const std::filesystem::path file(path);
+  const std::string name = file.stem().string();
+  std::string_view text = name;
+  if (text.ends_with(')')) text.remove_suffix(1);
+  const std::string_view all = text;
+  while (!text.empty() && is_digit(text.back())) text.remove_suffix(1);
+  const std::string_view digits = all.substr(text.size());
+  if (digits.empty() || digits.size() > kMaxHitDigits) return std::nullopt;
+  std::string_view stem = without_separators(text);
+  bool separated = stem.size() < text.size();
+  for (const std::string_view word : {"hit", "h"}) {
+    const auto at = start_of_word(stem, word);
+    if (!at) continue;
+    stem = without_separators(stem.substr(0, *at));
+    separated = true;
+    break;
+  }
+  if (!separated || stem.empty()) return std::nullopt;
+  return NameOfHit{.stem = (file.parent_path() / std::string(stem)).string(), .number = std::stoi(std::string(digits))};
+}
+
+}  // namespace
+
+std::vector<FilesOfHits> files_of_hits(const std::vector<std::string>& paths) {
+  std::vector<FilesOfHits> groups;
+  std::vector<std::set<int>> numbers;  // [groups]
+  std::map<std::string, std::size_t> group_of;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const auto name = name_of_hit(paths[i]);
+    if (!name) return {};
+    const auto [at, is_new] = group_of.emplace(name->stem, groups.size());
+    if (is_new) {
+      groups.push_back({.stem = name->stem, .files = {}});
+      numbers.emplace_back();
+    }
+    groups[at->second].files.push_back(i);
+    if (!numbers[at->second].insert(name->number).second) return {};
+  }
+  std::map<std::set<int>, std::size_t> alike;
+  for (const std::set<int>& one : numbers) {
+    if (one.size() > 1 && ++alike[one] > 1) return groups;
+  }
+  return {};
+}
+
+}  // namespace percuss::acquire

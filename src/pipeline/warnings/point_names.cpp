@@ -1,0 +1,181 @@
+#include "pipeline/warnings/point_names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/io/counted_words.hpp"
+#include "core/io/parse_number.hpp"
+#include "pipeline/warnings/warning.hpp"
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr std::size_t kMaxDigits = 9;  // of a number in a name
+
+// The parts of a name: runs of digits, and the texts between them. The first part is a text, perhaps an empty one.
+std::vector<std::string> parts_of_name(const std::string& name) {
+  std::vector<std::string> parts{""};
+  for (const char c : name) {
+    const bool in_number = parts.size() % 2 == 0;
+    if (is_digit(c) != in_number) parts.emplace_back();
+    parts.back() += c;
+  }
+  return parts;
+}
+
+// The points that the order of the files gives. Empty where their number is another one.
+struct PointsOfFiles {
+  std::vector<std::string> paths;     // [points]
+  std::vector<std::size_t> point_of;  // [files]
+};
+
+PointsOfFiles points_of_files(const std::vector<std::string>& paths, std::size_t points) {
+  PointsOfFiles out;
+  if (paths.size() == points) {
+    out.paths = paths;
+    for (std::size_t i = 0; i < paths.size(); ++i) out.point_of.push_back(i);
+    return out;
+  }
+  const std::vector<acquire::FilesOfHits> groups = acquire::files_of_hits(paths);
+  if (groups.size() != points) return out;
+  out.point_of.resize(paths.size());
+  for (std::size_t p = 0; p < groups.size(); ++p) {
+    out.paths.push_back(groups[p].stem);
+    for (const std::size_t file : groups[p].files) out.point_of[file] = p;
+  }
+  return out;
+}
+
+bool holds_from(const std::set<int>& numbers, int first, std::size_t count) {
+  for (int i = 0; i < static_cast<int>(count); ++i) {
+    if (!numbers.contains(first + i)) return false;
+  }
+  return true;
+}
+
+// Whether the geometry has all points that these files would be.
+bool knows_points(const std::set<int>& geometry, const std::vector<std::string>& files) {
+  std::set<int> points;
+  for (std::size_t i = 0; i < files.size(); ++i) points.insert(static_cast<int>(i));
+  const GeometryNumbers numbers = geometry_numbers(geometry, points, files);
+  if (numbers == GeometryNumbers::record) return holds_from(geometry, 0, files.size());
+  return numbers != GeometryNumbers::contradicted;
+}
+
+}  // namespace
+
+std::string short_file_name(const std::string& path) {
+  return one_line(std::filesystem::path(path).filename().string(), kMaxNameBytes);
+}
+
+std::vector<std::string> files_of_points(const acquire::Record& record, const std::set<int>& points) {
+  if (points.size() < 2 || record.files.size() < points.size()) return {};
+  if (*points.begin() != 0 || *points.rbegin() != static_cast<int>(points.size()) - 1) return {};
+  std::vector<std::string> paths;
+  for (const acquire::InputFile& file : record.files) paths.push_back(file.path);
+  const std::set<std::string> different(paths.begin(), paths.end());
+  if (different.size() != paths.size()) return {};
+  PointsOfFiles found = points_of_files(paths, points.size());
+  if (found.paths.empty()) return {};
+  for (const acquire::RowInfo& row : record.rows) {
+    if (found.point_of.at(row.file) != static_cast<std::size_t>(row.point)) return {};
+  }
+  return std::move(found.paths);
+}
+
+std::optional<std::vector<int>> numbers_in_names(const std::vector<std::string>& names) {
+  if (names.empty()) return std::nullopt;
+  std::vector<std::vector<std::string>> parts;
+  for (const std::string& name : names) parts.push_back(parts_of_name(name));
+  const std::vector<std::string>& first = parts.front();
+  std::optional<std::size_t> varying;
+  for (const auto& other : parts) {
+    if (other.size() != first.size()) return std::nullopt;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      if (other[i] == first[i] || varying == i) continue;
+      if (i % 2 == 0 || varying) return std::nullopt;
+      varying = i;
+    }
+  }
+  if (!varying) return std::nullopt;
+  std::vector<int> numbers;
+  for (const auto& name : parts) {
+    if (name[*varying].size() > kMaxDigits) return std::nullopt;
+    numbers.push_back(std::stoi(name[*varying]));
+  }
+  const std::set<int> different(numbers.begin(), numbers.end());
+  return different.size() == numbers.size() ? std::optional(numbers) : std::nullopt;
+}
+
+GeometryNumbers geometry_numbers(const std::set<int>& geometry, const std::set<int>& measured,
+                                 const std::vector<std::string>& files) {
+  const auto lacks = [&](int offset) {
+    return std::any_of(measured.begin(), measured.end(), [&](int point) { return !geometry.contains(point + offset); });
+  };
+  const bool from_one = lacks(0) && !lacks(1) && !geometry.contains(0);
+  const GeometryNumbers in_order = from_one ? GeometryNumbers::from_one : GeometryNumbers::record;
+  const auto numbers = numbers_in_names(files);
+  if (!numbers) return in_order;
+  const auto known = std::count_if(numbers->begin(), numbers->end(), [&](int n) { return geometry.contains(n); });
+  if (known == static_cast<std::ptrdiff_t>(numbers->size())) return GeometryNumbers::file_names;
+  if (geometry.size() != files.size()) return GeometryNumbers::contradicted;
+  const std::set<int> named(numbers->begin(), numbers->end());
+  const bool other_start = (holds_from(named, 1, files.size()) && holds_from(geometry, 0, files.size())) ||
+                           (holds_from(named, 0, files.size()) && holds_from(geometry, 1, files.size()));
+  // The order of the files must be the order of the numbers for this.
+  if (other_start && std::is_sorted(numbers->begin(), numbers->end())) return in_order;
+  return known == 0 ? in_order : GeometryNumbers::contradicted;
+}
+
+NamedFiles judge_named_files(const std::vector<std::string>& paths, const std::vector<acquire::FilesOfHits>& groups,
+                             const std::set<int>& geometry) {
+  if (groups.empty()) return NamedFiles::points;
+  if (geometry.empty()) return NamedFiles::undecided;
+  if (geometry.size() == groups.size()) return NamedFiles::hits;
+  std::vector<std::string> stems;
+  for (const acquire::FilesOfHits& group : groups) stems.push_back(group.stem);
+  if (!knows_points(geometry, paths)) return NamedFiles::hits;
+  return knows_points(geometry, stems) ? NamedFiles::undecided : NamedFiles::points;
+}
+
+PointNames::PointNames(const acquire::Record& record, const std::set<int>& points, const std::set<int>& geometry) {
+  const std::vector<std::string> files = files_of_points(record, points);
+  // Points in several directions are at the places of others, and a geometry numbers places.
+  if (!geometry.empty() && record.motions.empty())
+    geometry_from_one_ = geometry_numbers(geometry, points, files) == GeometryNumbers::from_one;
+  auto numbers = numbers_in_names(files);
+  // Numbers that the geometry does not know at all are no points.
+  if (numbers && !geometry.empty() &&
+      std::none_of(numbers->begin(), numbers->end(), [&](int n) { return geometry.contains(n); }))
+    numbers.reset();
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const auto point = static_cast<int>(i);
+    of_files_[point] = {.number = numbers ? numbers->at(i) : point + (geometry_from_one_ ? 1 : 0),
+                        .file = short_file_name(files[i])};
+  }
+}
+
+int PointNames::number(int point) const {
+  const auto named = of_files_.find(point);
+  if (named != of_files_.end()) return named->second.number;
+  return geometry_from_one_ ? point + 1 : point;
+}
+
+std::string PointNames::name(int point) const {
+  const auto named = of_files_.find(point);
+  if (named != of_files_.end()) return fmt::format("{} ({})", named->second.number, named->second.file);
+  return fmt::format("{}{}", number(point), geometry_from_one_ ? " of the geometry" : "");
+}
+
+std::string PointNames::list(const std::vector<int>& points, std::size_t max) const {
+  const bool of_geometry = of_files_.empty() && geometry_from_one_;
+  const auto one = [&](std::size_t i) { return of_geometry ? std::to_string(number(points[i])) : name(points[i]); };
+  return fmt::format("point{} {}{}", plural(points.size()), limited_list(points.size(), max, one),
+                     of_geometry ? " of the geometry" : "");
+}
+
+}  // namespace percuss::pipeline

@@ -1,0 +1,58 @@
+#include "acquire/record/files_of_hits.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace percuss::acquire::files_of_hits_test {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::vector<std::string> stems_of(const std::vector<std::string>& paths) {
+  std::vector<std::string> out;
+  for (const FilesOfHits& group : files_of_hits(paths)) out.push_back(group.stem);
+  return out;
+}
+
+TEST(FilesOfHits, GroupNamesThatDifferInTheirLastNumber) {
+  const std::vector<FilesOfHits> groups =
+      files_of_hits({"a/P1_1.csv", "a/P1_2.csv", "a/P2_1.csv", "a/P2_2.csv", "a/P10_1.csv"});
+  ASSERT_EQ(groups.size(), 3U);
+  EXPECT_EQ(groups[0].stem, "a/P1");
+  EXPECT_THAT(groups[0].files, ElementsAre(0U, 1U));
+  EXPECT_THAT(groups[1].files, ElementsAre(2U, 3U));
+  EXPECT_EQ(groups[2].stem, "a/P10");
+  EXPECT_THAT(groups[2].files, ElementsAre(4U)) << "a hit was deleted";
+}
+
+TEST(FilesOfHits, KnowTheWaysToNumberHits) {
+  for (const std::vector<std::string>& paths :
+       std::vector<std::vector<std::string>>{{"P1-1.csv", "P1-2.csv", "P2-1.csv", "P2-2.csv"},
+                                             {"P1 (1).csv", "P1 (2).csv", "P2 (1).csv", "P2 (2).csv"},
+                                             {"P1_hit1.csv", "P1_hit2.csv", "P2_hit1.csv", "P2_hit2.csv"},
+                                             {"P1_Hit_1.csv", "P1_Hit_2.csv", "P2_Hit_1.csv", "P2_Hit_2.csv"},
+                                             {"P1h1.h5", "P1h2.h5", "P2h1.h5", "P2h2.h5"}})
+    EXPECT_THAT(stems_of(paths), ElementsAre("P1", "P2")) << paths.front();
+  EXPECT_THAT(stems_of({"P1_1.csv", "P2_1.csv", "P1_2.csv", "P2_2.csv"}), ElementsAre("P1", "P2")) << "in any order";
+}
+
+TEST(FilesOfHits, LeaveOtherNamesAlone) {
+  for (const std::vector<std::string>& paths : std::vector<std::vector<std::string>>{
+           {},
+           {"P1.csv", "P2.csv", "P3.csv"},
+           {"P_1.csv", "P_2.csv", "P_3.csv"},                      // one name: points
+           {"A1.csv", "A2.csv", "B1.csv", "B2.csv"},               // a grid of letters and numbers
+           {"r1_P1.csv", "r1_P2.csv", "r2_P1.csv", "r2_P2.csv"},   // runs of points
+           {"hit1.csv", "hit2.csv"},                               //
+           {"P1_1.csv", "P2_1.csv", "P3_1.csv"},                   // one file for each name
+           {"P1_1.csv", "P1_2.csv", "P2_1.csv", "corner.csv"},     // a name without a number
+           {"P1_1.csv", "P1_2.csv", "P2_3.csv", "P2_4.csv"},       // numbers that go on
+           {"P1_1.csv", "P1_01.csv", "P2_1.csv", "P2_01.csv"},     // equal numbers
+           {"p0.25.csv", "p0.50.csv", "p1.25.csv", "p1.50.csv"}})  // positions
+    EXPECT_THAT(files_of_hits(paths), IsEmpty()) << testing::PrintToString(paths);
+}
+
+}  // namespace percuss::acquire::files_of_hits_test
