@@ -159,6 +159,16 @@ std::size_t oddest_step(const TimeStamps& row, double& step_s) {
   return static_cast<std::size_t>(odd - steps.begin()) + 1;
 }
 
+// Whether two even rows have one rate within their rounding and the drift of a clock.
+bool has_same_rate(const TimeStamps& a, const TimeStamps& b) {
+  constexpr double kSameRate = 1e-3;  // relative
+  const double a_s = mean_step_s(a.time_s), b_s = mean_step_s(b.time_s);
+  const auto rounding_s = [](const TimeStamps& row) {
+    return row.resolution_s / static_cast<double>(row.time_s.size() - 1);
+  };
+  return std::abs(a_s - b_s) <= rounding_s(a) + rounding_s(b) + kSameRate * std::max(a_s, b_s);
+}
+
 }  // namespace
 
 std::optional<double> stated_rate_Hz(std::string_view line, const CsvDialect& dialect) {
@@ -191,13 +201,21 @@ std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows,
   constexpr double kCoarsest = 5e-4;  // relative; an error of the rate shifts every frequency by the same ratio
   double steps = 0, length_s = 0;
   double length_error_s = 0;  // largest, from the rounding of the stamps
+  const TimeStamps* first = nullptr;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     if (rows[r].time_s.size() < 2) continue;
     const Deviation deviation = largest_deviation(rows[r].time_s);
     if (!is_even(rows[r], deviation)) {
       double usual_s = 0;
       const std::size_t at = oddest_step(rows[r], usual_s);
-      problem = {uneven_text(rows[r].time_s[at] - rows[r].time_s[at - 1], usual_s), r, at};
+      problem = {uneven_text(rows[r].time_s[at] - rows[r].time_s[at - 1], usual_s), r, at, false};
+      return std::nullopt;
+    }
+    if (first == nullptr) first = &rows[r];
+    if (!has_same_rate(*first, rows[r])) {
+      problem = {fmt::format("another sampling rate: a time step of {:.6g} s where the hits before have {:.6g} s",
+                             mean_step_s(rows[r].time_s), mean_step_s(first->time_s)),
+                 r, 0, true};
       return std::nullopt;
     }
     steps += static_cast<double>(rows[r].time_s.size() - 1);

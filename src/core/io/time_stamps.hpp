@@ -31,13 +31,14 @@ struct StampedRate {
 struct StampProblem {
   std::string text;
   std::size_t row = 0, at = 0;  // `at`: index of the stamp in its row
+  bool rates_differ = false;    // the rows are even, but their rates are not the same
 };
 
 /// The rate of evenly spaced stamps:
 ///   fs = Σ (n − 1) / Σ (t_last − t_first)   over rows                              (1)
 /// The result is the number with the fewest digits within the limits from the rounding of the stamps.
 /// errors  Returns nothing and sets `problem`: stamps that are uneven beyond their rounding, do not rise, are too
-/// coarse to give the rate to 5e-4, or are fewer than two.
+/// coarse to give the rate to 5e-4, or are fewer than two; rows whose rates differ by more than 1e-3.
 std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows, StampProblem& problem);
 
 /// The number with the fewest significant decimal digits in [low, high], 0 < low <= high.

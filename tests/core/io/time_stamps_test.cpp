@@ -135,6 +135,17 @@ TEST(RateOfTimeStamps, CombinesRowsThatStartAgain) {
   EXPECT_EQ(rate_of_time_stamps(rows, problem)->fs_Hz, 12800);
 }
 
+TEST(RateOfTimeStamps, RejectsRowsOfDifferentRates) {
+  const auto t = rounded_stamps(12800, 1280, 1e-9), drifted = rounded_stamps(12800 * (1 + 1e-4), 1280, 1e-9);
+  const auto other = rounded_stamps(12800 * (1 + 2e-3), 1280, 1e-9);
+  StampProblem problem;
+  EXPECT_TRUE(rate_of_time_stamps(std::vector<TimeStamps>{{t, 1e-9}, {drifted, 1e-9}}, problem)) << "a clock may drift";
+  EXPECT_FALSE(rate_of_time_stamps(std::vector<TimeStamps>{{t, 1e-9}, {t, 1e-9}, {other, 1e-9}}, problem));
+  EXPECT_TRUE(problem.rates_differ);
+  EXPECT_EQ(problem.row, 2U);
+  EXPECT_THAT(problem.text, HasSubstr("another sampling rate"));
+}
+
 TEST(RoundestBetween, HasTheFewestDigits) {
   EXPECT_EQ(roundest_between(25599.2, 25600.7), 25600);
   EXPECT_EQ(roundest_between(99, 101), 100);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <set>
 #include <string_view>
 
@@ -14,7 +13,6 @@
 #include "acquire/record/point_number.hpp"
 #include "acquire/record/sampling_rate.hpp"
 #include "core/error.hpp"
-#include "core/io/clock_text.hpp"
 #include "core/io/parse_number.hpp"
 #include "core/io/time_stamps.hpp"
 #include "core/units.hpp"
@@ -64,68 +62,30 @@ void end_row(std::vector<CsvRow>& rows, std::size_t line) {
 [[noreturn]] void refuse_stamps(const CsvTable& table, std::size_t index, const std::vector<CsvRow>& rows,
                                 const StampProblem& problem) {
   const std::size_t line = rows[problem.row].first_line + problem.at;
+  if (problem.rates_differ)
+    throw InputError(problem.text, table.place(line, index),
+                     "give the hits of each sampling rate in files of their own");
   throw InputError(problem.text, table.place(line, index), "state the sampling rate: the time column is then not used",
                    {"fs"});
 }
 
-// Reads the cells of a time column, line by line.
-struct StampReader {
-  std::size_t index = 0;
-  double to_s = 1;                                                        // s per unit of the cells
-  std::function<double(std::size_t line, std::string_view cell)> time_s;  // errors  InputError
-  std::function<int(std::string_view cell)> decimals;
-};
-
-StampReader number_reader(const CsvTable& table, const CsvColumn& time) {
-  const double to_s = parse_unit(time.unit) ? parse_unit(time.unit)->to_SI : 1;
-  const bool comma = table.dialect().decimal_comma;
-  const auto time_s = [&table, index = time.index, to_s, comma](std::size_t line, std::string_view cell) {
-    const auto number = parse_number(cell, comma);
-    if (number.problem == NumberProblem::none) return number.value * to_s;
-    throw InputError("the time is " + std::string(describe(number.problem)), table.place(line, index),
-                     "fill the gap, or state the sampling rate", {"fs"});
-  };
-  return {.index = time.index, .to_s = to_s, .time_s = time_s, .decimals = [comma](std::string_view cell) {
-            return decimals_of(cell, comma);
-          }};
-}
-
-// Times of day as seconds from the first stamp, so that their digits are kept. A day may end within the record.
-StampReader clock_reader(const CsvTable& table, std::size_t index) {
-  constexpr double kDay_s = 86400;
-  const auto time_s = [&table, index, first_s = 0.0, last_s = 0.0](std::size_t line, std::string_view cell) mutable {
-    const auto clock = parse_clock(cell);
-    if (!clock) {
-      throw InputError("\"" + one_line(to_utf8(trimmed(cell)), 40) + "\" is no time of day", table.place(line, index),
-                       "correct it, or state the sampling rate", {"fs"});
-    }
-    const bool next_day = line > 0 && clock->time_s < last_s - kDay_s / 2;
-    last_s = clock->time_s + (next_day ? kDay_s : 0);
-    if (line == 0) first_s = last_s;
-    return last_s - first_s;
-  };
-  return {.index = index, .time_s = time_s, .decimals = [](std::string_view cell) {
-            return parse_clock(cell).value_or(ClockTime{}).decimals;
-          }};
-}
-
-std::optional<StampedRate> stamped_rate(const CsvTable& table, const StampReader& reader,
-                                        const std::vector<CsvRow>& rows, StampProblem& problem) {
+// errors  InputError: a line has no time
+std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvTimes& times, const std::vector<CsvRow>& rows,
+                                        StampProblem& problem) {
+  if (times.problem) throw InputError(*times.problem);
   // Stamps may lack trailing zeros. Of the last 64, the one with the most decimals shows the rounding.
   constexpr std::size_t kLast = 64;
-  std::vector<double> time_s(table.lines());
   std::vector<int> decimals(rows.size(), -400);  // the fewest that decimals_of() returns
   std::size_t row = 0;
-  table.for_each_cell(reader.index, [&](std::size_t line, std::string_view cell) {
-    time_s[line] = reader.time_s(line, cell);
+  table.for_each_cell(times.column.index, [&](std::size_t line, std::string_view cell) {
     while (line >= rows[row].first_line + rows[row].info.samples) ++row;
     if (line + kLast >= rows[row].first_line + rows[row].info.samples)
-      decimals[row] = std::max(decimals[row], reader.decimals(cell));
+      decimals[row] = std::max(decimals[row], times.decimals(cell));
   });
   std::vector<TimeStamps> stamps;
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    stamps.push_back({std::span(time_s).subspan(rows[r].first_line, rows[r].info.samples),
-                      reader.to_s * std::pow(10.0, -decimals[r])});
+    stamps.push_back({std::span(times.time_s).subspan(rows[r].first_line, rows[r].info.samples),
+                      times.to_s * std::pow(10.0, -decimals[r])});
   }
   return rate_of_time_stamps(stamps, problem);
 }
@@ -155,25 +115,35 @@ double header_rate_Hz(const CsvHeader& header, const std::string& file) {
 }
 
 // The rate from times of day; from the header where they give none, for instance in whole seconds.
-double clock_rate_Hz(const CsvTable& table, std::size_t index, const std::vector<CsvRow>& rows, const std::string& file,
-                     std::vector<Message>& notes) {
+double clock_rate_Hz(const CsvTable& table, const CsvTimes& times, const std::vector<CsvRow>& rows,
+                     const std::string& file, std::vector<Message>& notes) {
   const CsvHeader& header = table.header();
   StampProblem problem;
   std::optional<StampedRate> stamped;
   try {
-    stamped = stamped_rate(table, clock_reader(table, index), rows, problem);
+    stamped = stamped_rate(table, times, rows, problem);
   } catch (const InputError&) {
     if (!header.fs_Hz) throw;
   }
   if (!stamped && header.fs_Hz) return header_rate_Hz(header, file);
-  if (!stamped) refuse_stamps(table, index, rows, problem);
-  return agreed_rate_Hz(header, *stamped, "the times of day in column " + std::to_string(index + 1), file, notes);
+  if (!stamped) refuse_stamps(table, times.column.index, rows, problem);
+  return agreed_rate_Hz(header, *stamped, "the times of day in column " + std::to_string(times.column.index + 1), file,
+                        notes);
 }
 
-// Notes that the first and the last time of the first row contradict the stated rate.
-void note_other_times(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows, double fs_Hz,
-                      std::vector<Message>& notes) {
+// Whether the times never fall within the row.
+bool keeps_rising(const CsvTimes& times, const CsvRow& row) {
+  if (times.time_s.size() < row.first_line + row.info.samples) return true;  // not known
+  const auto t = std::span(times.time_s).subspan(row.first_line, row.info.samples);
+  return std::is_sorted(t.begin(), t.end());
+}
+
+// Notes that the first and the last time of the first row contradict the stated rate. Times that start again within the
+// row state no rate.
+void note_other_times(const CsvTable& table, const CsvColumns& columns, const std::optional<CsvTimes>& times,
+                      const std::vector<CsvRow>& rows, double fs_Hz, std::vector<Message>& notes) {
   if (!columns.time || rows.front().info.samples < 2) return;
+  if (times && !keeps_rising(*times, rows.front())) return;
   const auto to_s = s_per_unit(columns.time->unit);
   const auto time_at = [&](std::size_t line) {
     return parse_number(table.cell(columns.time->index, line), table.dialect().decimal_comma);
@@ -219,34 +189,22 @@ std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& colum
   return rows;
 }
 
-std::optional<std::size_t> clock_column(const CsvTable& table) {
-  constexpr std::size_t kLeftmost = 4;
-  for (std::size_t index = 0; index < kLeftmost; ++index) {
-    std::size_t clocks = 0;
-    for (std::size_t line = 0; line < std::min<std::size_t>(2, table.lines()); ++line)
-      clocks += parse_clock(table.cell(index, line)) ? 1U : 0U;
-    if (clocks == 2) return index;
-  }
-  return std::nullopt;
-}
-
-double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows,
-                        const ReadOptions& options, std::vector<Message>& notes) {
+double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::optional<CsvTimes>& times,
+                        const std::vector<CsvRow>& rows, const ReadOptions& options, std::vector<Message>& notes) {
   if (options.fs_Hz) {
-    note_other_times(table, columns, rows, *options.fs_Hz, notes);
+    note_other_times(table, columns, times, rows, *options.fs_Hz, notes);
     return checked_rate_Hz(*options.fs_Hz, "the rate stated");
   }
   const CsvHeader& header = table.header();
   const std::string file = input_name(table.path());
-  const auto clock = columns.time ? std::nullopt : clock_column(table);
-  if (clock) return checked_rate_Hz(clock_rate_Hz(table, *clock, rows, file, notes), file + ": time stamps");
-  const bool guessed = !columns.time && may_be_time(header.columns.front(), columns);
-  if (!columns.time && !guessed) return header_rate_Hz(header, file);
-  const CsvColumn& time = guessed ? header.columns.front() : *columns.time;
-  const StampReader reader = number_reader(table, time);
+  if (!times || times->kind == CsvTimeKind::counted) return header_rate_Hz(header, file);
+  if (times->kind == CsvTimeKind::clock)
+    return checked_rate_Hz(clock_rate_Hz(table, *times, rows, file, notes), file + ": time stamps");
+  const bool guessed = times->kind == CsvTimeKind::guessed;
+  const CsvColumn& time = times->column;
   StampProblem problem;
-  const auto stamped = stamped_rate(table, reader, rows, problem);
-  const bool counts = stamped && std::abs(stamped->fs_Hz * reader.to_s - 1) < 1e-9;
+  const auto stamped = stamped_rate(table, *times, rows, problem);
+  const bool counts = stamped && std::abs(stamped->fs_Hz * times->to_s - 1) < 1e-9;
   // Such a first column is not the time: it is a count of samples or a signal.
   if (guessed && (!stamped || counts)) return header_rate_Hz(header, file);
   if (!stamped) refuse_stamps(table, time.index, rows, problem);

@@ -6,6 +6,7 @@
 
 #include "acquire/channels/csv_columns.hpp"
 #include "acquire/formats/text/csv_table.hpp"
+#include "acquire/formats/text/csv_times.hpp"
 #include "acquire/record/record.hpp"
 
 namespace percuss::acquire {
@@ -21,14 +22,11 @@ struct CsvRow {
 /// rows.
 std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& columns);
 
-/// The first column of times of day among the leftmost four. It gives the rate if the text has no other time column.
-std::optional<std::size_t> clock_column(const CsvTable& table);
-
-/// The sampling rate: the user's, else from the time column and the header, which must agree. Times of day that give no
+/// The sampling rate: the user's, else from the times and the header, which must agree. Times of day that give no
 /// rate, such as whole seconds, leave it to the header. Adds assumptions to `notes`.
-/// errors  InputError: no rate is stated, two rates disagree, time stamps are uneven or coarse, the rate is
-/// implausible.
-double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows,
-                        const ReadOptions& options, std::vector<Message>& notes);
+/// errors  InputError: no rate is stated, two rates disagree (also of two rows), time stamps are uneven or coarse, the
+/// rate is implausible.
+double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::optional<CsvTimes>& times,
+                        const std::vector<CsvRow>& rows, const ReadOptions& options, std::vector<Message>& notes);
 
 }  // namespace percuss::acquire

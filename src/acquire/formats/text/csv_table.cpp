@@ -33,11 +33,12 @@ std::size_t count_used_cells(std::string_view line, const CsvDialect& dialect) {
   return cells.size();
 }
 
-// Fast path: a line that starts with a digit or a minus sign is data.
-bool is_data(std::string_view line, const CsvDialect& dialect) {
-  if (line.empty()) return false;
-  const char c = line.front();
-  return (c >= '0' && c <= '9') || c == '-' || !is_skipped(line, dialect);
+bool starts_as_number(std::string_view line) {
+  return !line.empty() && ((line.front() >= '0' && line.front() <= '9') || line.front() == '-');
+}
+
+bool is_text(std::string_view cell, const CsvDialect& dialect) {
+  return parse_number(cell, dialect.decimal_comma).problem == NumberProblem::not_a_number;
 }
 
 std::string_view cell_at(std::string_view line, std::size_t index, const CsvDialect& dialect) {
@@ -71,6 +72,7 @@ CsvTable::CsvTable(FileBytes bytes, CsvDialect dialect, CsvHeader header,
                    const std::vector<std::size_t>& number_columns)
     : bytes_(std::move(bytes)), dialect_(dialect), header_(std::move(header)) {
   assert(!number_columns.empty());
+  find_header_lines(number_columns);
   // A line may have as many cells as the header or the first line of data, whichever has more: text may follow the
   // numbers.
   std::string_view rest = data();
@@ -79,13 +81,45 @@ CsvTable::CsvTable(FileBytes bytes, CsvDialect dialect, CsvHeader header,
   count_lines(number_columns.back() + 1, most);
 }
 
+void CsvTable::find_header_lines(const std::vector<std::size_t>& number_columns) {
+  constexpr std::ptrdiff_t kMaxLines = 64;  // each is compared with lines of data; names and units are the last ones
+  std::string_view rest = without_byte_order_mark(bytes_.view().substr(0, header_.data_start));
+  while (!rest.empty()) {
+    const std::string_view line = take_line(rest, dialect_.line_end);
+    if (is_skipped(line, dialect_)) continue;
+    const auto cells = split_cells(line, dialect_, number_columns.back() + 1);
+    const bool text = std::any_of(number_columns.begin(), number_columns.end(),
+                                  [&](std::size_t c) { return c < cells.size() && is_text(cells[c], dialect_); });
+    if (text) header_lines_.push_back(line);
+  }
+  if (std::ssize(header_lines_) > kMaxLines)
+    header_lines_.erase(header_lines_.begin(), header_lines_.end() - kMaxLines);
+  header_like_number_ = std::any_of(header_lines_.begin(), header_lines_.end(), starts_as_number);
+}
+
+bool CsvTable::repeats_header(std::string_view line) const {
+  return std::find(header_lines_.begin(), header_lines_.end(), line) != header_lines_.end();
+}
+
+// Fast path: a line that starts with a digit or a minus sign is data.
+bool CsvTable::is_data(std::string_view line) const {
+  if (starts_as_number(line) && !header_like_number_) return true;
+  return !is_skipped(line, dialect_) && !repeats_header(line);
+}
+
 void CsvTable::count_lines(std::size_t fewest, std::size_t most) {
   std::string_view rest = data();
   const std::size_t size = rest.size();
+  bool after_header = false;
   while (!rest.empty()) {
     const std::size_t start = size - rest.size();
     const std::string_view line = take_line(rest, dialect_.line_end);
-    if (!is_data(line, dialect_)) continue;
+    if (!is_data(line)) {
+      after_header = after_header || repeats_header(line);
+      continue;
+    }
+    if (after_header) lines_after_header_.push_back(lines_);
+    after_header = false;
     if (lines_ % kBlock_lines == 0) block_start_.push_back(start);
     std::size_t cells = count_cells(line, dialect_);
     if (cells > most) cells = count_used_cells(line, dialect_);
@@ -115,7 +149,7 @@ void CsvTable::parse_block(std::size_t index, std::size_t block, Block& into) co
   std::string_view rest = data().substr(block_start_[block]);
   for (std::size_t i = 0; i < count;) {
     const std::string_view line = take_line(rest, dialect_.line_end);
-    if (!is_data(line, dialect_)) continue;
+    if (!is_data(line)) continue;
     const ParsedNumber number = parse_cell(line, index, dialect_);
     if (number.problem != NumberProblem::none) {
       const std::string text(trimmed(cell_at(line, index, dialect_)));
@@ -149,7 +183,7 @@ void CsvTable::for_each_cell(std::size_t index,
   std::string_view rest = data();
   for (std::size_t n = 0; !rest.empty();) {
     const std::string_view line = take_line(rest, dialect_.line_end);
-    if (is_data(line, dialect_)) visit(n++, cell_at(line, index, dialect_));
+    if (is_data(line)) visit(n++, cell_at(line, index, dialect_));
   }
 }
 
@@ -157,7 +191,7 @@ std::string_view CsvTable::cell(std::size_t index, std::size_t line) const {
   std::string_view rest = data();
   for (std::size_t n = 0; !rest.empty();) {
     const std::string_view text = take_line(rest, dialect_.line_end);
-    if (is_data(text, dialect_) && n++ == line) return cell_at(text, index, dialect_);
+    if (is_data(text) && n++ == line) return cell_at(text, index, dialect_);
   }
   return {};
 }
@@ -168,7 +202,7 @@ std::string CsvTable::place(std::size_t line, std::optional<std::size_t> index) 
   std::size_t file_line = header_.lines;
   for (std::size_t n = 0; !rest.empty();) {
     ++file_line;
-    if (is_data(take_line(rest, dialect_.line_end), dialect_) && n++ == line) break;
+    if (is_data(take_line(rest, dialect_.line_end)) && n++ == line) break;
   }
   std::string text = fmt::format("{}: line {}", input_name(bytes_.path), file_line);
   if (!index) return text;

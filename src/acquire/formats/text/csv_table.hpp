@@ -22,7 +22,8 @@ namespace percuss::acquire {
 /// is first read, in blocks of lines, and kept: other columns and blocks cost nothing.
 class CsvTable {
  public:
-  /// `header` states where the data starts; each line from there on is data, blank or a comment.
+  /// `header` states where the data starts; each line from there on is data, blank, a comment or a repeated line of the
+  /// header, as instruments write before each capture.
   /// errors  InputError: a line with too few or too many cells, a line too long.
   CsvTable(FileBytes bytes, CsvDialect dialect, CsvHeader header, const std::vector<std::size_t>& number_columns);
   CsvTable(FileBytes bytes, CsvLayout layout)
@@ -32,6 +33,8 @@ class CsvTable {
   const CsvHeader& header() const { return header_; }
   const CsvDialect& dialect() const { return dialect_; }
   const std::string& path() const { return bytes_.path; }
+  /// The data lines that follow a repeated line of the header, in ascending order.
+  const std::vector<std::size_t>& lines_after_header() const { return lines_after_header_; }
 
   /// Numbers of data lines first … first + out.size() − 1, as stored. `index` as in CsvColumn. Several threads may call
   /// at the same time.
@@ -56,6 +59,9 @@ class CsvTable {
   using Column = std::vector<Block>;
 
   std::string_view data() const { return bytes_.view().substr(header_.data_start); }
+  void find_header_lines(const std::vector<std::size_t>& number_columns);
+  bool repeats_header(std::string_view line) const;
+  bool is_data(std::string_view line) const;
   void count_lines(std::size_t fewest, std::size_t most);
   Column& column(std::size_t index) const;
   void parse_block(std::size_t index, std::size_t block, Block& into) const;
@@ -63,6 +69,9 @@ class CsvTable {
   FileBytes bytes_;
   CsvDialect dialect_;
   CsvHeader header_;
+  std::vector<std::string_view> header_lines_;  // with text over a column of numbers: such a line is never data
+  bool header_like_number_ = false;             // one of header_lines_ starts as a number does
+  std::vector<std::size_t> lines_after_header_;
   std::size_t lines_ = 0;
   std::vector<std::size_t> block_start_;  // offset of each block's first line from the start of the data, in bytes
   mutable std::mutex columns_mutex_;

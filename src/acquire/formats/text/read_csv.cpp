@@ -14,8 +14,10 @@
 #include "acquire/channels/role_guess.hpp"
 #include "acquire/channels/signal_overrides.hpp"
 #include "acquire/channels/unit_notes.hpp"
+#include "acquire/formats/text/csv_captures.hpp"
 #include "acquire/formats/text/csv_rows.hpp"
 #include "acquire/formats/text/csv_table.hpp"
+#include "acquire/formats/text/csv_times.hpp"
 #include "acquire/formats/text/read_frf_text.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
@@ -71,6 +73,20 @@ void describe_signals(const CsvColumns& columns, const ReadOptions& options, Ope
     open.accel_to_mps2.push_back(record.accel.back().to_SI);
   }
   note_assumed_units(record);
+}
+
+// Divides the rows into captures, if no column numbers the hits. A capture is searched for hits, as a file of its own
+// would be.
+void divide_rows(OpenCsv& open, const CsvColumns& columns, const std::optional<CsvTimes>& times, Record& record) {
+  if (columns.hit) return;
+  const std::size_t signal = columns.has_force ? columns.force.index : columns.accel.front().index;
+  const std::size_t before = open.rows.size();
+  open.rows = divide_into_captures(open.table, times, signal, open.rows);
+  if (open.rows.size() == before) return;
+  record.continuous = true;
+  const char* const mark = open.table.lines_after_header().empty() ? "the time starts again" : "the header is repeated";
+  record.notes.push_back(
+      information(fmt::format("the file is read as {} captures: {} between them", open.rows.size(), mark)));
 }
 
 void describe_rows(const OpenCsv& open, Record& record) {
@@ -133,9 +149,18 @@ double rate_of_ms_Hz(const std::vector<double>& times) {
   return rate_Hz < kMinTestRate_Hz ? 1000 * rate_Hz : 0;
 }
 
+// The first samples of a column. Of times that start again in each capture, only those of the first capture.
+std::vector<double> samples_for_guess(const CsvTable& table, std::size_t index, std::size_t max_samples) {
+  std::vector<double> samples = first_samples(table, index, max_samples);
+  const auto back = std::adjacent_find(samples.begin(), samples.end(), std::greater<>());
+  if (index > 0 || back == samples.end()) return samples;
+  std::vector<double> first(samples.begin(), back + 1);
+  return rises_evenly(first) ? first : samples;
+}
+
 // The guess must not fail: the caller reports the missing roles.
 RoleGuess guess_of(const CsvTable& table, const CsvColumns& known, const ReadOptions& options) {
-  const auto read = [&](std::size_t index, std::size_t max) { return first_samples(table, index, max); };
+  const auto read = [&](std::size_t index, std::size_t max) { return samples_for_guess(table, index, max); };
   RoleGuess guess = guess_roles(table.header().columns, known, options, read);
   const std::vector<CsvColumn>& columns = table.header().columns;
   if (columns.front().index == 0 && columns.front().has_numbers) {
@@ -175,8 +200,10 @@ Record open_csv(const FileBytes& bytes, const ReadOptions& options) {
                          [&](std::size_t index, std::size_t max) { return first_samples(open->table, index, max); });
   if (unread) record.notes.push_back(*unread);
   open->rows = find_csv_rows(open->table, columns);
+  const std::optional<CsvTimes> times = read_csv_times(open->table, columns);
+  divide_rows(*open, columns, times, record);
   describe_rows(*open, record);
-  record.fs_Hz = find_csv_rate_Hz(open->table, columns, open->rows, options, record.notes);
+  record.fs_Hz = find_csv_rate_Hz(open->table, columns, times, open->rows, options, record.notes);
   record.read_force_N = [open](std::size_t row, std::size_t first, std::span<double> out) {
     read_scaled(*open, row, open->force_column, open->force_to_N, first, out);
   };

@@ -85,6 +85,23 @@ TEST(CsvTable, NamesTheCellThatIsNotAFiniteNumber) {
   EXPECT_THAT(input_error_of([] { column_of(*table_of("0,1\n1,x\n2,3\n3,4\n"), 1); }), HasSubstr("line 2, column 2)"));
 }
 
+TEST(CsvTable, SkipsRepeatedLinesOfTheHeader) {
+  std::string text, numbers;
+  for (int i = 0; i < 100; ++i) text += "Setting " + std::to_string(i) + ",on\n";
+  for (int i = 0; i < 500; ++i) numbers += std::to_string(i) + "," + std::to_string(i) + "\n";
+  text += "t,f\ns,N\n\n" + numbers + "\nt,f\ns,N\n" + numbers + "t,f\n" + numbers;
+  const auto table = table_of(text);
+  const std::vector<double> column = column_of(*table, 1);
+  ASSERT_EQ(column.size(), 1500U);
+  for (std::size_t i = 0; i < column.size(); ++i) EXPECT_EQ(column[i], static_cast<double>(i % 500));
+  EXPECT_THAT(table->lines_after_header(), ElementsAre(500, 1000));
+  EXPECT_EQ(table->place(500), "x.csv: line 607") << "skipped lines count";
+  EXPECT_EQ(table->cell(1, 1001), "1");
+  // Another text than that of the header is an error, not a header.
+  EXPECT_THAT(input_error_of([] { column_of(*table_of("t,f\n0,1\n1,2\nt,F\n2,3\n"), 1); }),
+              HasSubstr("\"F\" is not a number (x.csv: line 4"));
+}
+
 TEST(CsvTable, RefusesLinesOfAnotherLength) {
   EXPECT_THAT(input_error_of([] { table_of("t,f,a\n0,1,2\n1,2\n2,3,4\n3,3,4\n"); }),
               HasSubstr("2 columns where 3 are expected (x.csv: line 3)"));
