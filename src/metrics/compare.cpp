@@ -117,6 +117,21 @@ std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocu
   return pairs;
 }
 
+// Whether two pairs by frequency may be exchanged: see pair_modes().
+bool may_be_exchanged(const ComparedDocument& a, const ComparedDocument& b, const ModePair& first,
+                      const ModePair& second, double furthest) {
+  const auto crosswise = [&](const ModePair& one, const ModePair& other) {
+    const ComparedMode &x = a.modes[one.a], &y = b.modes[other.b];
+    return frequencies_match(x, y, furthest) && !mac_between(x, y);
+  };
+  if (first.mac || second.mac || !crosswise(first, second) || !crosswise(second, first)) return false;
+  const auto apart_Hz = [](const ComparedMode& x, const ComparedMode& y) { return std::abs(x.freq_Hz - y.freq_Hz); };
+  const double shift_Hz =
+      std::max(apart_Hz(a.modes[first.a], b.modes[first.b]), apart_Hz(a.modes[second.a], b.modes[second.b]));
+  return std::min(apart_Hz(a.modes[first.a], a.modes[second.a]), apart_Hz(b.modes[first.b], b.modes[second.b])) <=
+         shift_Hz;
+}
+
 // The deflection of a document at a position, interpolated between neighbours where possible.
 std::optional<ComparedDeflection> at_position(const ComparedDocument& document, double position_m) {
   const ComparedDeflection *below = nullptr, *above = nullptr;
@@ -161,6 +176,12 @@ PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, con
   const auto others = by_frequency(a, b, out.pairs, options);
   out.pairs.insert(out.pairs.end(), others.begin(), others.end());
   std::sort(out.pairs.begin(), out.pairs.end(), [](const ModePair& x, const ModePair& y) { return x.a < y.a; });
+  for (ModePair& pair : out.pairs) {
+    for (const ModePair& other : out.pairs) {
+      if (other.a != pair.a && may_be_exchanged(a, b, pair, other, options.furthest))
+        pair.exchangeable_a.push_back(other.a);
+    }
+  }
   const auto rest = [&](const ComparedDocument& document, std::size_t ModePair::*side) {
     std::vector<std::size_t> left;
     for (std::size_t m = 0; m < document.modes.size(); ++m) {

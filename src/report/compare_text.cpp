@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/io/counted_words.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
 
@@ -113,6 +114,31 @@ std::optional<std::string> other_shapes_text(const Comparison& c) {
       one_line(c.b.name, 200));
 }
 
+// Says that modes are paired by frequency alone, and which of them may be exchanged. `several`: there are other
+// comparisons.
+void say_pairing(ReportText& text, const Comparison& c, bool several) {
+  const auto& pairs = c.modes.pairs;
+  const auto by_frequency = static_cast<std::size_t>(
+      std::count_if(pairs.begin(), pairs.end(), [](const metrics::ModePair& pair) { return !pair.mac; }));
+  if (by_frequency == 0) return;
+  const std::string of = several ? fmt::format(" with the modes of {}", one_line(c.b.name, 200)) : "";
+  const std::string which = by_frequency == pairs.size() ? fmt::format("modes are paired{} by frequency", of)
+                                                         : fmt::format("{} of {} modes are paired{} by frequency",
+                                                                       by_frequency, pairs.size(), of);
+  text.say(
+      fmt::format("{} (fewer than {} common points): modes that crossed are exchanged", which, metrics::kMinPlaces));
+  std::vector<std::string> exchangeable;
+  const std::size_t number = first_mode_number(c.a);
+  for (const metrics::ModePair& pair : pairs) {
+    for (const std::size_t other : pair.exchangeable_a) {
+      if (other > pair.a) exchangeable.push_back(fmt::format("{} and {}", number + pair.a, number + other));
+    }
+  }
+  if (exchangeable.empty()) return;
+  text.say(fmt::format("modes {} may be exchanged: they lie no further apart than they moved",
+                       limited_list(exchangeable.size(), kMaxNamed, [&](std::size_t i) { return exchangeable[i]; })));
+}
+
 }  // namespace
 
 std::size_t first_mode_number(const metrics::ComparedDocument& document) {
@@ -149,6 +175,7 @@ ReportText compare_modes_text(const std::vector<metrics::ComparedDocument>& docu
   ReportText text;
   text += table;
   for (const Comparison& c : comparisons) {
+    say_pairing(text, c, comparisons.size() > 1);
     if (c.modes.unpaired_b.empty()) continue;
     if (const auto hint = other_shapes_text(c)) text.say(*hint);
     std::string only = fmt::format("only in {}:", one_line(c.b.name, 200));

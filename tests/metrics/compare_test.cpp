@@ -95,6 +95,31 @@ TEST(PairModes, PairsByShapeAlthoughTheFirstModesHaveNone) {
   EXPECT_THAT(indices(pair_modes(a, b)), ElementsAre(testing::Pair(0, 0), testing::Pair(2, 2)));
 }
 
+TEST(PairModes, NamesModesThatMayHaveCrossed) {
+  const auto exchangeable = [](const PairedModes& paired) {
+    std::vector<std::vector<std::size_t>> out;
+    for (const ModePair& pair : paired.pairs) out.push_back(pair.exchangeable_a);
+    return out;
+  };
+  // In truth, 412 Hz moved to 431 Hz and 418.5 Hz to 421.3 Hz.
+  ComparedDocument a = document_with({296.4, 412, 418.5, 574}), b = document_with({310.2, 421.3, 431, 560});
+  const PairedModes paired = pair_modes(a, b);
+  EXPECT_THAT(indices(paired),
+              ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1), testing::Pair(2, 2), testing::Pair(3, 3)));
+  EXPECT_THAT(exchangeable(paired), ElementsAre(IsEmpty(), ElementsAre(2), ElementsAre(1), IsEmpty()));
+  // Small shifts of the same modes leave no doubt.
+  EXPECT_THAT(exchangeable(pair_modes(a, document_with({297, 413, 419, 575}))), testing::Each(IsEmpty()));
+  // Modes of different types do not cross.
+  a.modes[1].family = b.modes[1].family = "hoop";
+  a.modes[2].family = b.modes[2].family = "bending";
+  EXPECT_THAT(exchangeable(pair_modes(a, b)), testing::Each(IsEmpty()));
+  // Nor do modes that are paired by shape.
+  a.modes[1].shape = b.modes[2].shape = shape(1, 1, 1);
+  a.modes[2].shape = b.modes[1].shape = shape(1, 0, -1);
+  for (const std::size_t m : {1U, 2U}) a.modes[m].family = b.modes[m].family = "";
+  EXPECT_THAT(exchangeable(pair_modes(a, b)), testing::Each(IsEmpty()));
+}
+
 ComparedDocument deflected(bool model, const std::vector<std::pair<double, double>>& at) {
   ComparedDocument document{.model = model, .modes = {}, .deflections = {}};
   for (const auto& [position_m, peak_m] : at)

@@ -90,4 +90,28 @@ TEST(CompareReport, SaysThatModesAgreeInFrequencyButNotInShape) {
   EXPECT_THAT(text(first, distant), Not(HasSubstr("in shape")));
 }
 
+TEST(CompareReport, SaysThatModesArePairedByFrequencyAlone) {
+  const auto document = [](const std::string& name, const std::vector<double>& freq_Hz) {
+    metrics::ComparedDocument out{.name = name, .schema = "", .modes = {}, .deflections = {}};
+    for (const double f : freq_Hz) out.modes.push_back({.freq_Hz = f, .family = "", .shape = {}});
+    return out;
+  };
+  const auto text = [](const std::vector<metrics::ComparedDocument>& documents) {
+    return compare_report(documents).text.text(200);
+  };
+  const auto before = document("before.json", {412, 418.5, 574}), after = document("after.json", {421.3, 431, 560});
+  const std::string crossed = text({before, after});
+  EXPECT_THAT(crossed, HasSubstr("modes are paired by frequency (fewer than 3 common points): modes that crossed "
+                                 "are exchanged\n"));
+  EXPECT_THAT(crossed, HasSubstr("modes 1 and 2 may be exchanged: they lie no further apart than they moved\n"));
+  EXPECT_THAT(compare_report({before, after}).json, HasSubstr("\"paired_by\": \"frequency\""));
+  EXPECT_THAT(text({before, before}), Not(HasSubstr("may be exchanged")));
+  EXPECT_THAT(text({before, before, after}), HasSubstr("modes are paired with the modes of after.json by frequency"));
+  auto shapes = before;
+  for (metrics::ComparedMode& mode : shapes.modes) {
+    for (int p = 0; p < 3; ++p) mode.shape[{p, -1}] = {.value = 1 + p * mode.freq_Hz};
+  }
+  EXPECT_THAT(text({shapes, shapes}), Not(HasSubstr("by frequency")));
+}
+
 }  // namespace percuss::report::compare_report_test

@@ -45,9 +45,9 @@ void add_compare(CommandLine& line) {
   command.about(
       "Pairs the modes of the first document with the modes of each other document, by frequency and shape, and shows "
       "the differences. The MAC is that of the shapes over the common points, or over the channels where there are "
-      "fewer than three points. Compares the deflections of two documents likewise. analyze, survey, deflect and model "
-      "write "
-      "such documents with --json.");
+      "fewer than three points. Modes without three common places are paired by frequency alone, so that modes that "
+      "crossed are exchanged; the output says so. Compares the deflections of two documents likewise. analyze, survey, "
+      "deflect and model write such documents with --json.");
   command.example("percuss compare test.json model.json", "Compare a test with a model");
   command.example("percuss compare test.json model.json --furthest 40 -o compared.csv",
                   "Pair modes up to 40 % apart, and write a table");

@@ -24,7 +24,9 @@ Json pairs_json(const Comparison& c) {
                      {"damping_ratio_b", or_null(c.b.modes[pair.b].damping_ratio)},
                      {"damping_difference_percent", or_null(pair.damping_difference_percent)},
                      {"damping_difference_std_percent", or_null(pair.damping_difference_std_percent)},
-                     {"mac", pair.mac ? Json(pair.mac->value) : Json()}});
+                     {"mac", pair.mac ? Json(pair.mac->value) : Json()},
+                     {"paired_by", pair.mac ? "shape" : "frequency"},
+                     {"exchangeable_a", pair.exchangeable_a}});
   }
   return pairs;
 }
