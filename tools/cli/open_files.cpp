@@ -98,6 +98,7 @@ void refuse_beside_others(const std::exception_ptr& error, const std::string& pa
   try {
     std::rethrow_exception(error);
   } catch (const acquire::AmbiguousColumns& ambiguous) {
+    if (ambiguous.roles_known) return;
     throw InputError(
         ambiguous.problem(), path,
         "if it is not a test like the other files of the folder, move it, or name the others by a pattern");

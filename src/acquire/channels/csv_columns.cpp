@@ -232,6 +232,17 @@ CsvColumns find_csv_columns(const CsvHeader& header, const ReadOptions& options,
   return Finder(header, options, file).find();
 }
 
+void throw_with_columns_if_unscaled(const InputError& error, const CsvHeader& header, const std::string& format) {
+  const auto concerns = [&](const char* option) {
+    return std::find(error.options().begin(), error.options().end(), option) != error.options().end();
+  };
+  if (!concerns("accel_sensitivity") || !concerns("accel_scale")) return;
+  AmbiguousColumns listed(error, header);
+  listed.format = format;
+  listed.roles_known = true;
+  throw listed;
+}
+
 const ChannelSetup* setup_of(const CsvColumn& column, const ReadOptions& options) {
   for (const auto& entry : options.setup) {
     if (is_named(column, entry.name)) return &entry;

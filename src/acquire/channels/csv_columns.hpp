@@ -22,7 +22,7 @@ struct CsvColumns {
   std::optional<CsvColumn> time, hit, point, run;
 };
 
-/// The columns are readable, but an option must name the force or an acceleration.
+/// The columns are readable, but an option must name the force or an acceleration, or state the scale of volts.
 class AmbiguousColumns : public InputError {
  public:
   AmbiguousColumns(std::string_view problem, std::string_view where, std::string_view remedy, const CsvHeader& header,
@@ -35,7 +35,11 @@ class AmbiguousColumns : public InputError {
   std::string format = "CSV";
   CsvColumns known;  // the roles found before the error
   RoleGuess guess;
+  bool roles_known = false;  // only the scale of volts is missing
 };
+
+/// Throws `error` with the columns of the file, if it asks for the scale of accelerations in volts. Else returns.
+void throw_with_columns_if_unscaled(const InputError& error, const CsvHeader& header, const std::string& format);
 
 /// Finds the columns by the options (name, name without unit, or 1-based number; letter case aside), then by the roles
 /// of the set-up, else by unit and by words in the name. `file` is its name in messages.

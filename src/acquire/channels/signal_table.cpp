@@ -38,6 +38,16 @@ CsvColumn column_of(const SignalTable& table, std::size_t index) {
   return column;
 }
 
+CsvHeader header_of(const SignalTable& table) {
+  CsvHeader header{.named = true, .text = false};
+  if (table.fs_Hz > 0) header.fs_Hz = table.fs_Hz;
+  for (std::size_t i = 0; i < table.signals.size(); ++i) {
+    header.columns.push_back(column_of(table, i));
+    header.columns.back().shape = table.signals[i].shape;
+  }
+  return header;
+}
+
 struct ScaledTable {
   SignalTable table;
   SignalRoles roles;
@@ -135,12 +145,7 @@ std::optional<Message> unread_hammer_note(const SignalTable& table, const Signal
 }  // namespace
 
 SignalRoles find_roles(const SignalTable& table, const ReadOptions& options) {
-  CsvHeader header{.named = true, .text = false};
-  if (table.fs_Hz > 0) header.fs_Hz = table.fs_Hz;
-  for (std::size_t i = 0; i < table.signals.size(); ++i) {
-    header.columns.push_back(column_of(table, i));
-    header.columns.back().shape = table.signals[i].shape;
-  }
+  const CsvHeader header = header_of(table);
   try {
     const CsvColumns found = find_csv_columns(header, options, table_name(table));
     SignalRoles roles{.force = found.force.index, .has_force = found.has_force, .accel = {}};
@@ -179,7 +184,12 @@ Record record_of_table(SignalTable table, const SignalRoles& roles, const ReadOp
   const std::string where = table_name(open->table);
   record.fs_Hz = checked_rate_Hz(options.fs_Hz.value_or(open->table.fs_Hz), where);
   if (options.fs_Hz) note_other_rate("the file", open->table.fs_Hz, record.fs_Hz, record.notes);
-  describe_table(*open, options, record);
+  try {
+    describe_table(*open, options, record);
+  } catch (const InputError& error) {
+    throw_with_columns_if_unscaled(error, header_of(open->table), record.format);
+    throw;
+  }
   if (record.rows.empty()) throw InputError("no samples", where, "record at least one hit");
   for (const RowInfo& row : record.rows) {
     if (row.samples < 2) throw InputError("fewer than two samples in a row", where, "record for longer");

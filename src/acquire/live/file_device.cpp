@@ -81,7 +81,8 @@ ReplayedFile open_replayed(const std::string& path, const DeviceOptions& options
   try {
     return open_with_setup(path, options);
   } catch (const AmbiguousColumns& error) {
-    throw InputError(error.problem(), error.where(), "name the hammer's channel and the responses in the set-up",
+    throw InputError(error.problem(), error.where(),
+                     error.roles_known ? error.remedy() : "name the hammer's channel and the responses in the set-up",
                      {"setup"});
   } catch (const MachineFault&) {
     throw;

@@ -178,6 +178,18 @@ TEST_F(Sandbox, PassesErrorsOn) {
     EXPECT_EQ(unclear.columns.at(0).name, "a");
     EXPECT_EQ(unclear.format, "MAT");
     EXPECT_EQ(unclear.fs_Hz, 9);
+    EXPECT_FALSE(unclear.roles_known);
+  }
+  test::MatBuilder(path_, test::MatLevel::v5)
+      .numbers("force_N", {3, 1}, {1, 2, 3})
+      .numbers("acc_mV", {3, 1}, {1, 2, 3})
+      .numbers("fs", {1, 1}, {9});
+  try {
+    open_record(path_, {.sandboxed = true});
+    ADD_FAILURE();
+  } catch (const AmbiguousColumns& unscaled) {
+    EXPECT_TRUE(unscaled.roles_known);
+    EXPECT_EQ(unscaled.columns.at(1).unit, "mV");
   }
   const Record record = sandboxed([] {
     Record bad = small_record();

@@ -88,6 +88,27 @@ TEST_F(InfoCommand, ListsTheColumnsOfUnknownChannels) {
   EXPECT_EQ(document["files"][0]["columns"][2]["unit"], "V");
 }
 
+// Scopes write mV. What is missing is stated beside what the file holds; an analysis still refuses.
+TEST_F(InfoCommand, ListsTheColumnsOfVoltsWithoutASensitivity) {
+  test::write_bytes(file("scope.csv"), "Zeit (s);Hammer (mV);Beschl. (mV)\n0,0;1,5;2\n0,1;3;4\n0,2;5;6\n");
+  auto outcome = run({file("scope.csv")});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::AllOf(HasSubstr("CSV, 3 columns"), HasSubstr("3  Beschl. (mV)  mV"),
+                                          HasSubstr("needed: the numbers are in mV"), HasSubstr("--accel-sensitivity"),
+                                          testing::Not(HasSubstr("suggest"))));
+  outcome = run({"--json", file("scope.csv"), file("a.csv")});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto document = test::parse_json(outcome.out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("info")), IsEmpty());
+  EXPECT_EQ(document["files"][0]["columns"][1]["name"], "Hammer (mV)");
+  EXPECT_THAT(document["files"][0]["needs"], testing::EndsWith("give the sensitivity or the scale"));
+  EXPECT_EQ(document["files"][1]["rows"], 1) << "the other file is described";
+  outcome = test::run_percuss({"analyze", file("scope.csv")});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err,
+              testing::EndsWith("give the sensitivity or the scale (--accel-sensitivity, --accel-scale)\n"));
+}
+
 TEST_F(InfoCommand, AcceptsListsBeforeFiles) {
   const auto outcome =
       run({"--json", "--force-channel", "CH1", "--accel-channel", "CH2,t_s", "--angle", "-90,90", "--unit", "mg",

@@ -194,7 +194,12 @@ Record open_csv(const FileBytes& bytes, const ReadOptions& options) {
   record.files.push_back({.path = bytes.path, .bytes = bytes.size});
   record.format = "CSV";
   const CsvColumns columns = columns_of(open->table, options, input_name(bytes.path));
-  describe_signals(columns, options, *open, record);
+  try {
+    describe_signals(columns, options, *open, record);
+  } catch (const InputError& error) {
+    throw_with_columns_if_unscaled(error, open->table.header(), record.format);
+    throw;
+  }
   const auto unread =
       unread_hammer_note(open->table.header().columns, columns,
                          [&](std::size_t index, std::size_t max) { return first_samples(open->table, index, max); });
