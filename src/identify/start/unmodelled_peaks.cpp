@@ -3,11 +3,13 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/math/linear_algebra.hpp"
 #include "identify/model/frf_synthesis.hpp"
 #include "identify/noise/line_noise.hpp"
 #include "identify/start/candidates.hpp"
+#include "identify/start/peaks.hpp"
 #include "identify/start/residual_smoothness.hpp"
 #include "identify/start/stable_poles.hpp"
 
@@ -18,6 +20,7 @@ using Eigen::Index;
 
 constexpr double kNear = 3;            // half-power bandwidths around a mode, or spectral lines where these are wider
 constexpr double kUnexplained = 0.25;  // residual energy over a peak's energy: below it the modes explain the peak
+constexpr double kClearOfNoise = 6;    // standard deviations of the difference of two lines
 constexpr double kPeakSpan = 6;        // half-widths on either side, for a peak's energy
 
 // Parts of the energy that noise does not explain. A polynomial of kTailTerms leaves at least 0.2 of it for a resonance
@@ -117,6 +120,29 @@ std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::v
     const double level_dB = 10 * std::log10(power_at(set, line) / largest);
     if (remains && level_dB >= -range_dB) peaks.push_back({.freq_Hz = set.lines.freq_Hz(line), .level_dB = level_dB});
   }
+  return peaks;
+}
+
+std::vector<UnmodelledPeak> clear_of_noise(const FrfDataset& set, std::vector<UnmodelledPeak> peaks) {
+  if (peaks.empty()) return peaks;
+  const LineNoise line_noise(set);
+  std::vector<std::vector<double>> local;  // [channels] noise power
+  for (std::size_t o = 0; o < set.channels.size(); ++o) local.push_back(line_noise.local(o));
+  std::vector<double> power(set.lines.count);
+  for (std::size_t k = 0; k < power.size(); ++k) power[k] = power_at(set, k);
+  std::map<std::size_t, double> saddle;  // by line
+  for (const Peak& peak : find_peaks(power)) saddle[peak.line] = std::max(power[peak.line] - peak.prominence, 0.0);
+  std::erase_if(peaks, [&](const UnmodelledPeak& peak) {
+    const std::size_t line = set.lines.nearest(peak.freq_Hz);
+    // The noise of each FRF moves the amplitude in proportion to the FRF: by Σ|H|²σ²/(2 Σ|H|²) at either line.
+    double weighted = 0;
+    for (std::size_t o = 0; o < set.channels.size(); ++o) {
+      const double noise_power = std::max(std::pow(line_noise.at(o, line), 2), local[o][line]);
+      weighted += std::norm(set.channels[o].frf[line]) * noise_power;
+    }
+    const double std = power[line] > 0 ? std::sqrt(weighted / power[line]) : 0;
+    return std::sqrt(power[line]) - std::sqrt(saddle[line]) < kClearOfNoise * std;
+  });
   return peaks;
 }
 

@@ -33,7 +33,7 @@ double frac_around(const identify::FrfDataset& set, const std::vector<identify::
 
 std::vector<identify::UnmodelledPeak> unexplained_peaks_of(const identify::FrfDataset& set,
                                                            const std::vector<identify::Mode>& modes) {
-  auto peaks = identify::unmodelled_peaks(set, modes, kPeakRange_dB);
+  auto peaks = identify::clear_of_noise(set, identify::unmodelled_peaks(set, modes, kPeakRange_dB));
   std::stable_sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.level_dB > b.level_dB; });
   return peaks;
 }

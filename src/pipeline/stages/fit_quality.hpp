@@ -30,7 +30,8 @@ struct FitQuality {
 FitQuality fit_quality(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                        const std::vector<identify::SynthesisedFrf>& made, const acquire::LineRange& band);
 
-/// Peaks that no mode models, down to 65 dB below the largest line; the largest first.
+/// Peaks that no mode models and that stand clearly out of the noise (identify::clear_of_noise), down to 65 dB below
+/// the largest line; the largest first.
 std::vector<identify::UnmodelledPeak> unexplained_peaks_of(const identify::FrfDataset& set,
                                                            const std::vector<identify::Mode>& modes);
 

@@ -78,4 +78,46 @@ TEST(UnmodelledPeaks, AreNotTruncationRipples) {
   EXPECT_FALSE(unmodelled_peaks(set, {}, kRange_dB).empty());
 }
 
+// Near the end of the force's spectrum, the noise of the FRF rises, and the tail of a mode beyond the lines remains in
+// the residual. Noise then makes prominent lines.
+TEST(UnmodelledPeaks, ThatAreNoiseOnATailAreNotClear) {
+  constexpr std::uint64_t kSeeds = 200;
+  const Pole known{1390, 0.005}, beyond{1810, 0.006};
+  std::size_t prominent = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    FrfDataset set = test::empty_set(5120, 10240, 1200, 1650, 1);
+    test::add_frf_noise(set, 0.012, seed);
+    set.points[0].ff.resize(set.lines.count);
+    for (std::size_t k = 0; k < set.lines.count; ++k) {
+      const double rise = std::exp((set.lines.freq_Hz(k) - 1550) / 30);
+      set.channels[0].frf[k] *= rise;
+      set.points[0].ff[k] = 1 / (rise * rise);
+    }
+    test::add_mode(set, 0, known, 0.02);
+    test::add_mode(set, 0, beyond, 0.03);
+    const auto peaks = unmodelled_peaks(set, {{.pole = known, .residues = {{.value = 0.02}}}}, kRange_dB);
+    prominent += peaks.empty() ? 0U : 1U;
+    EXPECT_TRUE(clear_of_noise(set, peaks).empty()) << seed;
+  }
+  EXPECT_GE(prominent, 5U) << "otherwise this test shows nothing";
+}
+
+TEST(UnmodelledPeaks, AreClearWhereAModeStandsOutOfTheNoise) {
+  constexpr std::uint64_t kSeeds = 20;
+  const Pole weak{1390, 0.005};
+  for (const std::size_t channels : {1U, 8U}) {
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      FrfDataset set = test::empty_set(5120, 10240, 1200, 1650, channels);
+      for (std::size_t c = 0; c < channels; ++c) {
+        test::add_mode(set, c, {1810, 0.006}, 0.01);
+        test::add_mode(set, c, weak, 0.001);  // 0.1 at the peak
+      }
+      test::add_frf_noise(set, 0.0035, seed);
+      const auto peaks = clear_of_noise(set, unmodelled_peaks(set, {}, kRange_dB));
+      ASSERT_EQ(peaks.size(), 1U) << seed;
+      EXPECT_NEAR(peaks[0].freq_Hz, weak.freq_Hz, 2 * weak.half_power_Hz());
+    }
+  }
+}
+
 }  // namespace percuss::identify::unmodelled_peaks_test
