@@ -15,9 +15,11 @@ constexpr double kSplitDeviations = 2;         // standard deviations that noise
 constexpr double kSplitSpacing = 0.15;         // of the lower frequency: largest separation, besides double_peak_Hz
 constexpr double kMinLoneProbability = 0.9;    // below it the second type is stated …
 constexpr double kMinRivalProbability = 0.03;  // … and where the second type has more than this
-constexpr double kMinTubeEvidence = -2.3;      // logarithm: another object is less than ten times as likely
-constexpr double kSameAngle_rad = 0.1;         // sensors at one angle see bending and hoop modes alike
-constexpr double kMaxOutOfPhase = 0.4;         // RatioAngle::out_of_phase above which the shape is not real
+// Logarithms: a few modes may speak for another object, but not ten times as much as for a tube. On a tube, each
+// further mode speaks for it; from nine modes on, it must be the likelier object.
+constexpr double kMinTubeEvidence = -2.3, kTubeEvidencePerMode = 0.5, kManyTubeModes = 9;
+constexpr double kSameAngle_rad = 0.1;  // sensors at one angle see bending and hoop modes alike
+constexpr double kMaxOutOfPhase = 0.4;  // RatioAngle::out_of_phase above which the shape is not real
 
 struct Ratio {
   Complex value;
@@ -89,6 +91,10 @@ std::vector<TypePosterior> posteriors_of(const std::vector<Mode>& modes, const s
   return type_posteriors(evidence, RatioLikelihood(sensors.first_rad, sensors.second_rad, error));
 }
 
+double min_tube_evidence(std::size_t modes) {
+  return std::clamp(kTubeEvidencePerMode * (static_cast<double>(modes) - kManyTubeModes), kMinTubeEvidence, 0.0);
+}
+
 bool is_tube(const std::vector<Ratio>& ratios, const SensorPair& sensors, const ClassifyOptions& options) {
   if (options.object != ObjectKind::automatic) return options.object == ObjectKind::tube;
   if (!options.angles_assumed) return true;
@@ -97,7 +103,8 @@ bool is_tube(const std::vector<Ratio>& ratios, const SensorPair& sensors, const 
     if (ratio.known) angles.push_back(ratio.angle);
   }
   const SetUpError error{.angle_rad = options.angle_std_rad, .gain = options.gain_std};
-  return log_tube_evidence(angles, RatioLikelihood(sensors.first_rad, sensors.second_rad, error)) > kMinTubeEvidence;
+  return log_tube_evidence(angles, RatioLikelihood(sensors.first_rad, sensors.second_rad, error)) >
+         min_tube_evidence(angles.size());
 }
 
 void set_type(ModeClassification& classification, const TypePosterior& posterior, const Ratio& ratio) {

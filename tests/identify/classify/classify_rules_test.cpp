@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <random>
 
 #include "identify/classify/classify.hpp"
 
@@ -133,6 +135,35 @@ TEST(Object, IsJudgedByTheModesWhereAnglesAreAssumed) {
   }
   EXPECT_TRUE(classifications(plate())[0].ratio) << "stated angles mean a tube";
   EXPECT_TRUE(classifications(plate(), {.object = ObjectKind::tube, .angles_assumed = true})[0].ratio);
+}
+
+// Ten random ratios, as of two sensors on a frame, may resemble a tube: 22 % did where a factor of 1/10 was enough.
+TEST(Object, OfManyModesNeedsMoreEvidenceForATube) {
+  const ClassifyOptions assumed{.angles_assumed = true};
+  const auto mode = [](std::size_t m, double chi) {
+    return mode_at(40 * std::pow(1.4, static_cast<double>(m)), std::cos(chi), std::sin(chi));
+  };
+  constexpr std::size_t kFrames = 400, kModes = 10;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(-std::numbers::pi / 2, std::numbers::pi / 2);
+  std::size_t named = 0;
+  for (std::size_t frame = 0; frame < kFrames; ++frame) {
+    std::vector<Mode> modes;
+    for (std::size_t m = 0; m < kModes; ++m) modes.push_back(mode(m, any(random)));
+    named += classifications(modes, assumed)[0].ratio ? 1U : 0U;
+  }
+  EXPECT_LT(named, kFrames / 10);
+  // A tube of ten modes: the planes of bending scatter by 8°, and of two modes by more.
+  constexpr std::size_t kTubes = 100;
+  std::normal_distribution<double> plane(0.4, 0.14), hoop_chi(-std::numbers::pi / 4, 0.035);
+  std::size_t tubes = 0;
+  for (std::size_t tube = 0; tube < kTubes; ++tube) {
+    std::vector<Mode> modes;
+    for (std::size_t m = 0; m < kModes; ++m)
+      modes.push_back(mode(m, m % 5 == 4 ? any(random) : m % 2 == 0 ? plane(random) : hoop_chi(random)));
+    tubes += classifications(modes, assumed)[0].ratio ? 1U : 0U;
+  }
+  EXPECT_EQ(tubes, kTubes);
 }
 
 // Counts the modes below the band. Their types come from their ratios.
