@@ -320,7 +320,8 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
     if (table.sign_of_directions) note_changed_signs(open->rows, find_roles(table, named), table.notes);
     return record_of_table(std::move(table), named);
   } catch (AmbiguousColumns& error) {
-    if (open->rows.size() == 1 && !error.known.has_force && !error.roles_known) guess_one_row(functions, names, name, error.guess);
+    if (open->rows.size() == 1 && !error.known.has_force && !error.roles_known)
+      guess_one_row(functions, names, name, error.guess);
     throw;
   }
 }
