@@ -107,7 +107,7 @@ void add_run(RowContents& rows, const BatchRecord& record, const pipeline::RunAn
     add_modes(rows, record, test.run, analysis);
   } else {
     rows.code = kImpossible;
-    const Message reason = report::no_usable_hit();
+    const Message reason = report::no_usable_hit(analysis.hits());
     rows.reason = options.write_option != nullptr ? reason.written(options.write_option) : reason.text;
   }
   for (const pipeline::Warning& warning : analysis.warnings()) {

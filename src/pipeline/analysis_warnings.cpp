@@ -52,9 +52,10 @@ std::vector<Warning> Analysis::warnings() const {
   std::set<std::size_t> silent_hits;
   for (const SilentPoint& one : silent_at) silent_hits.insert(one.hits.begin(), one.hits.end());
   add(hit_warnings(record(), graded, silent_hits));
+  if (force_known) add(refused_hit_warnings(graded, options_.accept_hits, options_.reject_hits));
   if (force_known) add(point_force_warnings(record(), graded));
   if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples));
-  if (force_known) add(role_warnings(record(), graded));
+  if (force_known) add(role_warnings(record(), graded, options_.hits));
   add(channel_warnings(record(), graded));
   add(silent_point_warnings(record(), silent_at));
   const auto silent = modes_.ready() && modes().empty() && responses_.ready()

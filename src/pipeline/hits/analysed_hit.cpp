@@ -16,4 +16,9 @@ bool any_accepted(const std::vector<AnalysedHit>& hits) {
   return std::any_of(hits.begin(), hits.end(), [](const AnalysedHit& hit) { return hit.accepted; });
 }
 
+bool can_accept_more(const std::vector<AnalysedHit>& hits) {
+  return std::any_of(hits.begin(), hits.end(),
+                     [](const AnalysedHit& hit) { return !hit.accepted && can_be_accepted(hit); });
+}
+
 }  // namespace percuss::pipeline

@@ -20,4 +20,9 @@ struct AnalysedHit {
 std::vector<std::size_t> accepted_hits(const std::vector<AnalysedHit>& hits);
 bool any_accepted(const std::vector<AnalysedHit>& hits);
 
+/// Whether the user may accept a hit despite its findings: an FRF needs a pulse of the force.
+inline bool can_be_accepted(const AnalysedHit& hit) { return !hit.hit.gated_N.empty(); }
+/// Whether the user may accept one of the rejected hits despite its findings.
+bool can_accept_more(const std::vector<AnalysedHit>& hits);
+
 }  // namespace percuss::pipeline

@@ -38,9 +38,10 @@ std::vector<AnalysedHit> grade_by_force(std::vector<acquire::Hit> found, const a
   std::vector<AnalysedHit> hits;
   hits.reserve(found.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool accept = names_hit(demands.accept, demands.reject, i) && !found[i].gated_N.empty();
+    AnalysedHit hit{.hit = std::move(found[i]), .responses = {}};
+    const bool accept = names_hit(demands.accept, demands.reject, i) && can_be_accepted(hit);
     const bool reject = names_hit(demands.reject, demands.accept, i);
-    AnalysedHit hit{.hit = std::move(found[i]), .by_user = accept || reject, .responses = {}};
+    hit.by_user = accept || reject;
     hit.point = record.rows[hit.hit.row].point;
     hit.accepted = accept || (!reject && !acquire::rejects(hit.hit.findings));
     hits.push_back(std::move(hit));

@@ -22,9 +22,8 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kAntiAlias = 0.44;       // of fs: above it a recorder's filter shapes the response
-constexpr double kMinDefaultLines = 1.5;  // lower end of the default band, in spectral lines
-constexpr std::size_t kMinSamples = 64;
+constexpr double kAntiAlias = 0.44;                         // of fs: above it a recorder's filter shapes the response
+constexpr double kMinDefaultLines = 1.5;                    // lower end of the default band, in spectral lines
 constexpr double kMinLengthShare = 0.5;                     // of the median length
 constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;  // of a transform
 constexpr int kMaxAttempts = 3;                             // fits, each without the disturbances of the one before
@@ -48,7 +47,7 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
   }
   require_hits(options.accept_hits, hits.size(), record, "accept_hit");
   require_hits(options.reject_hits, hits.size(), record, "reject_hit");
-  const double least = std::max(static_cast<double>(kMinSamples), kMinLengthShare * median(lengths));
+  const double least = std::max(static_cast<double>(kMinDecaySamples), kMinLengthShare * median(lengths));
   const bool any_shown = std::any_of(hits.begin(), hits.end(), [](const auto& hit) { return hit.impact.whole_pulse; });
   for (std::size_t h = 0; h < hits.size(); ++h) {
     // Without a visible pulse, the impact may lie anywhere in the row.
@@ -60,7 +59,7 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
       hits[h].accepted = false;
       hits[h].reason = "too few usable samples until the next impact or the end";
     }
-    const bool accept = names_hit(options.accept_hits, options.reject_hits, h);
+    const bool accept = names_hit(options.accept_hits, options.reject_hits, h) && can_be_accepted(hits[h]);
     const bool reject = names_hit(options.reject_hits, options.accept_hits, h);
     hits[h].by_user = accept || reject;
     if (accept) hits[h].accepted = true;
@@ -79,7 +78,7 @@ std::size_t common_samples(const ResponseTest& test) {
   }
   if (const auto length = acquire::selected_length(test.record, test.options.hits))
     samples = std::min(samples, *length);
-  return any && samples >= kMinSamples ? fast_length_at_most(samples) : 0;
+  return any && samples >= kMinDecaySamples ? fast_length_at_most(samples) : 0;
 }
 
 identify::FreeDecays decays_of(const ResponseTest& test) {
@@ -105,7 +104,7 @@ bool leave_out_disturbances(ResponseTest& test, const std::vector<std::optional<
   for (ResponseHit& hit : test.hits) {
     if (!hit.accepted) continue;
     const std::optional<std::size_t> sample = *at++;
-    if (!sample || hit.by_user || *sample < kMinSamples) continue;
+    if (!sample || hit.by_user || *sample < kMinDecaySamples) continue;
     changed = true;
     if (all) {
       hit.impact.end = hit.impact.first + *sample;

@@ -22,6 +22,11 @@ struct ResponseHit {
   bool shortened = false;  // the decay ends before a disturbance (decay_disturbances())
 };
 
+/// Shorter decays show no modes.
+inline constexpr std::size_t kMinDecaySamples = 64;
+/// Whether the user may accept a hit: its decay is not too short.
+inline bool can_be_accepted(const ResponseHit& hit) { return hit.impact.end - hit.impact.first >= kMinDecaySamples; }
+
 /// The results of a test without a force: modes from free decays.
 struct ResponseTest {
   acquire::Record record;  // two channels without angles have assumed ones: assume_angles()

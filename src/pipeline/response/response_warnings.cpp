@@ -8,7 +8,9 @@
 
 #include "acquire/channels/role_guess.hpp"
 #include "core/error.hpp"
+#include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
+#include "pipeline/warnings/hit_list.hpp"
 #include "pipeline/warnings/object_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
 
@@ -147,6 +149,20 @@ std::vector<Warning> uneven_decays(const ResponseTest& test) {
       "strike with less and with more force and compare; check for friction and loose parts")};
 }
 
+std::vector<Warning> refused_hits(const ResponseTest& test) {
+  std::vector<std::size_t> refused;
+  for (std::size_t h = 0; h < test.hits.size(); ++h) {
+    if (names_hit(test.options.accept_hits, test.options.reject_hits, h) && !can_be_accepted(test.hits[h]))
+      refused.push_back(h);
+  }
+  if (refused.empty()) return {};
+  return {with_remedy({"accept_refused",
+                       fmt::format("{} cannot be accepted: fewer than {} samples follow the impact", hit_list(refused),
+                                   kMinDecaySamples),
+                       {"accept_hit"}},
+                      "record longer after each impact")};
+}
+
 std::vector<Warning> pairs_or_scatter(const ResponseTest& test) {
   std::string list;
   for (const identify::DecayMode& mode : test.found.modes) {
@@ -173,9 +189,13 @@ std::vector<Warning> response_warnings(const ResponseTest& test) {
   add(hammer_as_response(test.record));
   out.push_back(no_force());
   if (!test.possible()) {
-    out.push_back(with_remedy({"no_free_decay", "no impact is followed by a free decay", {"accept_hit", "from"}},
-                              "record longer after each impact"));
+    const bool acceptable = std::any_of(test.hits.begin(), test.hits.end(),
+                                        [](const ResponseHit& hit) { return !hit.accepted && can_be_accepted(hit); });
+    Warning warning{"no_free_decay", "no impact is followed by a free decay", {"from"}};
+    if (acceptable) warning.options = {"accept_hit", "from"};
+    out.push_back(with_remedy(std::move(warning), "record longer after each impact"));
   }
+  add(refused_hits(test));
   add(damaged_decays(test));
   add(uneven_decays(test));
   add(tones(test));

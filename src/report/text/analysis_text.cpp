@@ -81,7 +81,8 @@ std::string spaced(const std::string& text) { return text.empty() ? text : text 
 
 }  // namespace
 
-Message no_usable_hit() {
+Message no_usable_hit(const std::vector<pipeline::AnalysedHit>& hits) {
+  if (!pipeline::can_accept_more(hits)) return {"no hit has a pulse of the force, so there are no FRFs and no modes"};
   return {"no hit can be used, so there are no FRFs and no modes; to use a hit despite its findings, accept it",
           {"accept_hit"}};
 }
@@ -106,7 +107,7 @@ std::string analysis_text(const pipeline::Analysis& analysis, const TextOptions&
     if (modes) text += modes_text(analysis, wants(ReportSection::classes), options.width) + "\n";
     if (options.per_hit) text += per_hit_text(analysis, options.width) + "\n";
   } else {
-    const Message result = no_usable_hit();
+    const Message result = no_usable_hit(hits);
     const std::string words = options.write_option != nullptr ? result.written(options.write_option) : result.text;
     text += wrapped(words, options.width, 2) + "\n\n";
   }
