@@ -49,6 +49,26 @@ TEST_F(Inputs, MayBeAFolderOrAQuotedPattern) {
   EXPECT_THAT(none.err, HasSubstr("no file matches the pattern (*.uff)"));
 }
 
+// One message for all: a user cleans the folder up once.
+TEST_F(Inputs, NameAllBadFilesOfAFolderAtOnce) {
+  test::write_small_test(file("a.h5"), R"("hits": 1)");
+  test::write_bytes(file("readme.txt"), "The bat was hung by two cords.\n");
+  test::write_bytes(file("bad1.csv"), "t_s,force_N,acc_g\n0,1,2\n");
+  const auto one = analyze({"."});
+  EXPECT_EQ(one.code, 3);
+  EXPECT_THAT(one.err, HasSubstr("fewer than two samples (./bad1.csv: line 2)"));
+  for (int i = 2; i <= 7; ++i) test::write_bytes(file("bad" + std::to_string(i) + ".h5"), "\x89HDF\r\n\x1a\n");
+  const auto all = analyze({"."});
+  EXPECT_EQ(all.code, 3);
+  EXPECT_EQ(test::lines_of(all.err).size(), 1U);
+  EXPECT_THAT(all.err, testing::StartsWith("percuss: 7 of 9 files cannot be read: bad1.csv: fewer than two samples; "
+                                           "bad2.h5: "));
+  EXPECT_THAT(all.err, EndsWith("; and 2 more (.); move them elsewhere, or name the others by a pattern\n"));
+  EXPECT_THAT(all.err, Not(HasSubstr("readme")));
+  EXPECT_THAT(analyze({"a.h5", "bad1.csv", "bad2.h5"}).err, EndsWith("; leave them out\n"));
+  EXPECT_EQ(analyze({"a*.h5"}).code, 0);
+}
+
 TEST_F(Inputs, AcceptHitsAsRangesAndAll) {
   test::write_small_test(file("bat.h5"), R"("hits": 4)");
   const auto judged = [&](const std::vector<std::string>& options) {
