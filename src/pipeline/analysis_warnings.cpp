@@ -9,6 +9,7 @@
 #include "pipeline/warnings/force_findings.hpp"
 #include "pipeline/warnings/hit_scatter_warnings.hpp"
 #include "pipeline/warnings/hit_warnings.hpp"
+#include "pipeline/warnings/lost_sample_warnings.hpp"
 #include "pipeline/warnings/mode_warnings.hpp"
 #include "pipeline/warnings/object_warnings.hpp"
 #include "pipeline/warnings/point_force_warnings.hpp"
@@ -56,6 +57,7 @@ std::vector<Warning> Analysis::warnings() const {
   if (force_known) add(point_force_warnings(record(), graded));
   if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples));
   if (force_known) add(role_warnings(record(), graded, options_.hits));
+  if (force_known) add(closed_gap_warnings(closed_gaps(), graded));
   add(channel_warnings(record(), graded));
   add(silent_point_warnings(record(), silent_at));
   const auto silent = modes_.ready() && modes().empty() && responses_.ready()

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "pipeline/hits/hit_gaps.hpp"
 #include "pipeline/hits/needed_hits.hpp"
 #include "pipeline/hits/response_clipping.hpp"
 
@@ -35,6 +36,7 @@ std::vector<AnalysedHit> grade_by_force(std::vector<acquire::Hit> found, const a
   require_hits(demands.accept, found.size(), record, "accept_hit");
   require_hits(demands.reject, found.size(), record, "reject_hit");
   if (demands.high_Hz) acquire::grade_bandwidth(found, *demands.high_Hz);
+  grade_gaps(found, record);
   std::vector<AnalysedHit> hits;
   hits.reserve(found.size());
   for (std::size_t i = 0; i < found.size(); ++i) {

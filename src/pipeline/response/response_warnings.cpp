@@ -196,6 +196,11 @@ std::vector<Warning> response_warnings(const ResponseTest& test) {
     out.push_back(with_remedy(std::move(warning), "record longer after each impact"));
   }
   add(refused_hits(test));
+  std::vector<LostSamples> lost;
+  for (const ResponseHit& hit : test.hits) {
+    if (hit.accepted && hit.lost) lost.push_back(*hit.lost);
+  }
+  add(lost_samples_warning(lost, "the longer part of the decay, before or after the gap, is used"));
   add(damaged_decays(test));
   add(uneven_decays(test));
   add(tones(test));

@@ -34,7 +34,10 @@ void RecordSource::require_accepted(const std::vector<AnalysedHit>& hits) const 
     throw InputError("no hit can be used", record_.source(), "see the hits' findings, or accept a hit despite them",
                      {"accept_hit"});
   }
-  throw InputError("no hit has a pulse of the force", record_.source(), "see the hits' findings");
+  const bool pulses =
+      std::any_of(hits.begin(), hits.end(), [](const AnalysedHit& hit) { return can_be_accepted(hit); });
+  throw InputError(pulses ? "no hit can be used" : "no hit has a pulse of the force", record_.source(),
+                   "see the hits' findings");
 }
 
 std::pair<double, double> RecordSource::default_band_Hz(const std::vector<AnalysedHit>& hits) const {

@@ -102,7 +102,8 @@ std::vector<Warning> used_hit_warnings(const acquire::Record& record, const std:
                                 "the reason",
                                 plural(points.size()), list, points.size() == 1 ? "it" : "them")};
     const bool acceptable = std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& hit) {
-      return can_be_accepted(hit) && std::binary_search(points.begin(), points.end(), hit.point);
+      return can_be_accepted(hit) && !lacks_samples_of_pulse(hit) &&
+             std::binary_search(points.begin(), points.end(), hit.point);
     });
     if (acceptable) warning.options = {"accept_hit"};
     out.push_back(with_remedy(std::move(warning), acceptable ? "repeat these hits, or accept one despite its findings"

@@ -49,6 +49,36 @@ TEST_F(Inputs, MayBeAFolderOrAQuotedPattern) {
   EXPECT_THAT(none.err, HasSubstr("no file matches the pattern (*.uff)"));
 }
 
+// Without the line, the later samples would come too early: the mode would be off by many standard deviations.
+TEST_F(Inputs, WithALostLineKeepTheirTime) {
+  const auto column = [&](std::vector<double> x) {
+    x.erase(x.begin() + 900, x.begin() + 903);
+    return x;
+  };
+  test::write_columns(file("lost.csv"), "time_s,force_N,accel_m_s2",
+                      {column(record_.time_s), column(record_.force_N), column(record_.accel_mps2)});
+  test::write_columns(file("whole.csv"), "time_s,force_N,accel_m_s2",
+                      {record_.time_s, record_.force_N, record_.accel_mps2});
+  ASSERT_EQ(run_percuss({"convert", file("lost.csv"), file("lost.h5")}).code, 0);
+  EXPECT_THAT(run_percuss({"convert", file("lost.csv"), file("lost.mat")}).err,
+              HasSubstr("not kept: which samples were lost"));
+  const double whole_Hz = first_mode_Hz(analyze({"whole.csv", "--json"}));
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"lost.csv"}, {"lost.csv", "--fs", "4096"}, {"lost.h5"}}) {
+    std::vector<std::string> command = words;
+    command.emplace_back("--json");
+    const auto outcome = analyze(command);
+    EXPECT_NEAR(first_mode_Hz(outcome), whole_Hz, 1e-4) << words.back();
+    EXPECT_THAT(outcome.out, HasSubstr(R"("code": "lost_samples")")) << words.back();
+    EXPECT_THAT(outcome.out, HasSubstr("hit 1 (3 samples, ")) << words.back();
+  }
+  const std::string path = file("lost.h5");
+  const auto twice =
+      run_percuss({"analyze", path, "--fs", "8192", "--band", "120:2000", "--effort", "quick", "--json"});
+  EXPECT_NEAR(first_mode_Hz(twice), 2 * whole_Hz, 2e-4) << "the place counts samples";
+  EXPECT_THAT(run_percuss({"info", file("lost.csv")}).out, HasSubstr("samples are missing: 3 at 0.2197"));
+}
+
 // One message for all: a user cleans the folder up once.
 TEST_F(Inputs, NameAllBadFilesOfAFolderAtOnce) {
   test::write_small_test(file("a.h5"), R"("hits": 1)");

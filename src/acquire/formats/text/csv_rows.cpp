@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <set>
 #include <string_view>
 
@@ -63,9 +64,13 @@ void end_row(std::vector<CsvRow>& rows, std::size_t line) {
 
 [[noreturn]] void refuse_stamps(const CsvTable& table, std::size_t index, const std::vector<CsvRow>& rows,
                                 const StampProblem& problem) {
-  const std::size_t line = rows[problem.row].first_line + problem.at;
-  throw InputError(problem.text, table.place(line, index), "state the sampling rate: the time column is then not used",
-                   {"fs"});
+  const std::string place = table.place(rows[problem.row].first_line + problem.at, index);
+  if (problem.jump) {
+    throw InputError(problem.text, place,
+                     "samples seem lost: write the time with more digits, or delete the lines on the side of the jump "
+                     "that lacks the hit");
+  }
+  throw InputError(problem.text, place, "state the sampling rate: the time column is then not used", {"fs"});
 }
 
 // Reads the cells of a time column, line by line.
@@ -109,25 +114,71 @@ StampReader clock_reader(const CsvTable& table, std::size_t index) {
           }};
 }
 
-std::optional<StampedRate> stamped_rate(const CsvTable& table, const StampReader& reader,
-                                        const std::vector<CsvRow>& rows, StampProblem& problem) {
+// The times of all lines, and for each row one unit of the last written digit.
+struct WrittenTimes {
+  std::vector<double> time_s;        // [lines]
+  std::vector<double> resolution_s;  // [rows]
+
+  TimeStamps of(const CsvRow& row, std::size_t r) const {
+    return {std::span(time_s).subspan(row.first_line, row.lines()), resolution_s[r]};
+  }
+};
+
+WrittenTimes read_times(const CsvTable& table, const StampReader& reader, const std::vector<CsvRow>& rows) {
   // Stamps may lack trailing zeros. Of the last 64, the one with the most decimals shows the rounding.
   constexpr std::size_t kLast = 64;
-  std::vector<double> time_s(table.lines());
+  WrittenTimes out{.time_s = std::vector<double>(table.lines()), .resolution_s = {}};
   std::vector<int> decimals(rows.size(), -400);  // the fewest that decimals_of() returns
   std::size_t row = 0;
   table.for_each_cell(reader.index, [&](std::size_t line, std::string_view cell) {
-    time_s[line] = reader.time_s(line, cell);
-    while (line >= rows[row].first_line + rows[row].info.samples) ++row;
-    if (line + kLast >= rows[row].first_line + rows[row].info.samples)
+    out.time_s[line] = reader.time_s(line, cell);
+    while (line >= rows[row].first_line + rows[row].lines()) ++row;
+    if (line + kLast >= rows[row].first_line + rows[row].lines())
       decimals[row] = std::max(decimals[row], reader.decimals(cell));
   });
-  std::vector<TimeStamps> stamps;
+  for (const int digits : decimals) out.resolution_s.push_back(reader.to_s * std::pow(10.0, -digits));
+  return out;
+}
+
+// Adds the missing samples to rows whose times have gaps.
+void add_gaps(const WrittenTimes& times, std::optional<double> fs_Hz, std::vector<CsvRow>& rows) {
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    stamps.push_back({std::span(time_s).subspan(rows[r].first_line, rows[r].info.samples),
-                      reader.to_s * std::pow(10.0, -decimals[r])});
+    std::size_t missing = 0;
+    for (const StampGap& gap : gaps_of_stamps(times.of(rows[r], r), fs_Hz)) {
+      rows[r].gaps.push_back({.first = gap.at + missing, .count = gap.count});
+      missing += gap.count;
+    }
+    rows[r].info.samples += missing;
   }
-  return rate_of_time_stamps(stamps, problem);
+}
+
+std::optional<StampedRate> stamped_rate(const CsvTable& table, const StampReader& reader, std::vector<CsvRow>& rows,
+                                        StampProblem& problem) {
+  const WrittenTimes times = read_times(table, reader, rows);
+  std::vector<TimeStamps> stamps;
+  for (std::size_t r = 0; r < rows.size(); ++r) stamps.push_back(times.of(rows[r], r));
+  auto rate = rate_of_time_stamps(stamps, problem);
+  if (rate) return rate;
+  std::vector<CsvRow> with_gaps = rows;
+  add_gaps(times, {}, with_gaps);
+  std::vector<std::vector<double>> filled(rows.size());
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    filled[r] = with_missing_stamps(stamps[r].time_s, gaps_of_stamps(stamps[r]));
+    stamps[r].time_s = filled[r];
+  }
+  StampProblem of_filled;
+  rate = rate_of_time_stamps(stamps, of_filled);
+  if (rate) rows = std::move(with_gaps);
+  return rate;
+}
+
+// Finds the gaps of a time column that the user's rate replaces. A column that is no time does not matter.
+void add_gaps_at_rate(const CsvTable& table, const StampReader& reader, double fs_Hz, std::vector<CsvRow>& rows) {
+  try {
+    add_gaps(read_times(table, reader, rows), fs_Hz, rows);
+  } catch (const InputError&) {
+    return;
+  }
 }
 
 // The rate from header and time column. Prefers the exact rate of the header if the rounded stamps allow it.
@@ -155,7 +206,7 @@ double header_rate_Hz(const CsvHeader& header, const std::string& file) {
 }
 
 // The rate from times of day; from the header where they give none, for instance in whole seconds.
-double clock_rate_Hz(const CsvTable& table, std::size_t index, const std::vector<CsvRow>& rows, const std::string& file,
+double clock_rate_Hz(const CsvTable& table, std::size_t index, std::vector<CsvRow>& rows, const std::string& file,
                      std::vector<Message>& notes) {
   const CsvHeader& header = table.header();
   StampProblem problem;
@@ -173,13 +224,13 @@ double clock_rate_Hz(const CsvTable& table, std::size_t index, const std::vector
 // Notes that the first and the last time of the first row contradict the stated rate.
 void note_other_times(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows, double fs_Hz,
                       std::vector<Message>& notes) {
-  if (!columns.time || rows.front().info.samples < 2) return;
+  if (!columns.time || rows.front().lines() < 2) return;
   const auto to_s = s_per_unit(columns.time->unit);
   const auto time_at = [&](std::size_t line) {
     return parse_number(table.cell(columns.time->index, line), table.dialect().decimal_comma);
   };
   const auto first = time_at(rows.front().first_line);
-  const auto last = time_at(rows.front().first_line + rows.front().info.samples - 1);
+  const auto last = time_at(rows.front().first_line + rows.front().lines() - 1);
   if (!to_s || first.problem != NumberProblem::none || last.problem != NumberProblem::none) return;
   const double length_s = (last.value - first.value) * *to_s;
   if (!(length_s > 0)) return;
@@ -188,6 +239,11 @@ void note_other_times(const CsvTable& table, const CsvColumns& columns, const st
 }
 
 }  // namespace
+
+std::size_t CsvRow::lines() const {
+  return std::accumulate(gaps.begin(), gaps.end(), info.samples,
+                         [](std::size_t left, const CsvGap& gap) { return left - gap.count; });
+}
 
 std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& columns) {
   const std::array<const std::optional<CsvColumn>*, 3> sources = {&columns.hit, &columns.point, &columns.run};
@@ -230,9 +286,10 @@ std::optional<std::size_t> clock_column(const CsvTable& table) {
   return std::nullopt;
 }
 
-double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::vector<CsvRow>& rows,
+double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, std::vector<CsvRow>& rows,
                         const ReadOptions& options, std::vector<Message>& notes) {
   if (options.fs_Hz) {
+    if (columns.time) add_gaps_at_rate(table, number_reader(table, *columns.time), *options.fs_Hz, rows);
     note_other_times(table, columns, rows, *options.fs_Hz, notes);
     return checked_rate_Hz(*options.fs_Hz, "the rate stated");
   }
