@@ -33,7 +33,7 @@ struct Finding {
   double value = 0;
   std::string message;
   std::vector<OptionId> options{};  // that the message concerns
-  std::optional<double> delay_s{};  // double_hit: from the first pulse to the second
+  std::optional<double> delay_s{};  // double_hit: from the first pulse to the second; lost_samples: from the blow
 };
 
 struct Hit {

@@ -61,7 +61,12 @@ std::vector<std::string> losses_of(const std::string& path, const Record& record
   const bool marked =
       std::any_of(record.rows.begin(), record.rows.end(), [](const RowInfo& row) { return row.mark != RowMark::none; });
   if (!format->keeps_marks && marked) losses.emplace_back("which blows were rejected while they were recorded");
-  if (!format->keeps_marks && !record.faults.empty()) losses.emplace_back("the faults of the capture");
+  const auto gaps =
+      static_cast<std::size_t>(std::count_if(record.faults.begin(), record.faults.end(), [](const RecordFault& fault) {
+        return fault.kind == FaultKind::missing_samples;
+      }));
+  if (!format->keeps_marks && gaps < record.faults.size()) losses.emplace_back("the faults of the capture");
+  if (!format->keeps_marks && gaps > 0) losses.emplace_back("which samples were lost: straight lines take their place");
   if (!format->keeps_date && !common_date_of(record.files).empty()) losses.emplace_back("the date of the test");
   return losses;
 }

@@ -73,8 +73,10 @@ std::vector<std::string> pictures(const WriteOptions& options, const std::vector
 
 void require_possible(const pipeline::Analysis& analysis) {
   if (!analysis.possible()) {
-    throw InputError("no hit can be used, so there are no FRFs and modes", analysis.record().source(),
-                     "see the findings of the hits", {"accept_hit"});
+    throw InputError(
+        "no hit can be used, so there are no FRFs and modes", analysis.record().source(),
+        "see the findings of the hits",
+        pipeline::can_accept_more(analysis.hits()) ? std::vector<OptionId>{"accept_hit"} : std::vector<OptionId>{});
   }
 }
 

@@ -126,7 +126,8 @@ void add_run(RowContents& rows, const BatchRecord& record, const pipeline::RunAn
       add_mode(rows, record, {.run = test.run, .index = m}, analysis.modes()[m], analysis.classifications()[m]);
   } else {
     rows.code = kImpossible;
-    rows.reason = written(report::no_usable_hit(), options.write_option);
+    rows.reason = written(report::no_usable_hit(analysis.hits()), options.write_option);
+  }
   }
   add_warnings(rows, analysis.warnings());
   if (!options.frf || !analysis.possible()) return;

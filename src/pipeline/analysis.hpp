@@ -17,6 +17,7 @@
 #include "pipeline/channels/channel_findings.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
 #include "pipeline/hits/file_agreement.hpp"
+#include "pipeline/hits/hit_gaps.hpp"
 #include "pipeline/hits/hit_spectra.hpp"
 #include "pipeline/source/source.hpp"
 #include "pipeline/stages/earlier_ringing.hpp"
@@ -56,7 +57,9 @@ class Analysis {
 
   /// The delays taken out of the channels: stated in the options, or established by the phases of the modes.
   const std::vector<ChannelDelay>& corrected_delays() const;
-  /// The record without these delays, from which every result follows.
+  /// The record with predictions in the place of missing samples (acquire::gaps_of). Computed anew in each call.
+  ClosedGaps closed_gaps() const;
+  /// This record without these delays, from which every result follows.
   const acquire::Record& aligned_record() const;
 
   /// Hits graded by their force alone: reads nothing else. Element i is hit i + 1 in tables and messages.

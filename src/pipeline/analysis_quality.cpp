@@ -24,10 +24,13 @@ const std::vector<ChannelDelay>& Analysis::corrected_delays() const {
   });
 }
 
+ClosedGaps Analysis::closed_gaps() const { return close_gaps(record(), force_hits()); }
+
 const acquire::Record& Analysis::aligned_record() const {
   return within_budget(budget_, aligned_record_, [&] {
     const std::vector<ChannelDelay>& delays = corrected_delays();
-    return delays.empty() ? record() : align_record(record(), delays);
+    acquire::Record whole = closed_gaps().record;
+    return delays.empty() ? whole : align_record(std::move(whole), delays);
   });
 }
 

@@ -10,6 +10,7 @@
 #include "pipeline/warnings/force_findings.hpp"
 #include "pipeline/warnings/hit_scatter_warnings.hpp"
 #include "pipeline/warnings/hit_warnings.hpp"
+#include "pipeline/warnings/lost_sample_warnings.hpp"
 #include "pipeline/warnings/mode_warnings.hpp"
 #include "pipeline/warnings/object_warnings.hpp"
 #include "pipeline/warnings/point_force_warnings.hpp"
@@ -55,11 +56,13 @@ std::vector<Warning> Analysis::warnings() const {
     silent_hits = hits_that_differ_by_noise(graded, responses(), transform_options());
   for (const SilentPoint& one : silent_at) silent_hits.insert(one.hits.begin(), one.hits.end());
   add(hit_warnings(record(), graded, point_names(), silent_hits));
+  if (force_known) add(refused_hit_warnings(graded, options_.accept_hits, options_.reject_hits));
   const std::vector<Warning> other_units =
       force_known ? point_force_warnings(record(), graded, point_names()) : std::vector<Warning>{};
   add(other_units);
   if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples, point_names()));
-  if (force_known) add(role_warnings(record(), graded));
+  if (force_known) add(role_warnings(record(), graded, options_.hits));
+  if (force_known) add(closed_gap_warnings(closed_gaps(), graded));
   add(channel_warnings(record(), graded));
   add(silent_point_warnings(record(), silent_at, point_names()));
   const auto silent = modes_.ready() && modes().empty() && responses_.ready()

@@ -18,6 +18,7 @@
 #include "pipeline/impacts.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/deflection_warnings.hpp"
+#include "pipeline/warnings/lost_sample_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
 
 namespace percuss::pipeline {
@@ -119,6 +120,19 @@ std::vector<PointDeflection> averaged(const std::vector<DeflectedHit>& hits, con
   return points;
 }
 
+// The impacts that lack samples within their pulse, or too many after it.
+std::vector<Warning> left_out_warnings(const std::vector<AnalysedHit>& impacts, const AnalysisOptions& options) {
+  std::vector<Warning> out;
+  for (std::size_t h = 0; h < impacts.size(); ++h) {
+    if (is_usable_impact(impacts[h], options, h)) continue;
+    for (const acquire::Finding& finding : impacts[h].hit.findings) {
+      if (finding.code != acquire::FindingCode::lost_samples) continue;
+      out.push_back({"lost_samples", fmt::format("hit {} is left out: {}", h + 1, finding.message), {"accept_hit"}});
+    }
+  }
+  return out;
+}
+
 std::string without_force_remedy(metrics::DeflectionMethod method, bool mass_given) {
   std::string remedy = method == metrics::DeflectionMethod::modal ? "choose another method" : "";
   if (mass_given) remedy += std::string(remedy.empty() ? "" : " and ") + "leave out the effective mass";
@@ -129,7 +143,8 @@ std::string without_force_remedy(metrics::DeflectionMethod method, bool mass_giv
 
 ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   const PositionOf position_of = positions(analysis, options);
-  const acquire::Record& record = analysis.record();
+  const ClosedGaps closed = analysis.closed_gaps();
+  const acquire::Record& record = closed.record;
   const metrics::DeflectionMethod method = options.deflection.method;
   if (!record.has_force && (method == metrics::DeflectionMethod::modal || options.effective_mass_kg)) {
     throw InputError("no force was recorded", record.source(),
@@ -196,6 +211,8 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   for (const DeflectedHit& hit : test.hits) results.deflections.push_back({hit.hit, &hit.deflection});
   std::vector<Warning> warnings = deflection_warnings(results);
   for (Warning& warning : input_warnings(record)) warnings.push_back(std::move(warning));
+  for (auto& more : {closed_gap_warnings(closed, impacts), left_out_warnings(impacts, analysis.options())})
+    warnings.insert(warnings.end(), more.begin(), more.end());
   test.warnings = ranked(std::move(warnings));
   return test;
 }

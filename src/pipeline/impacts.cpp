@@ -23,14 +23,20 @@ constexpr double kRest_s = 0.1;
 
 bool is_usable_impact(const AnalysedHit& hit, const AnalysisOptions& options, std::size_t index) {
   if (names_hit(options.reject_hits, options.accept_hits, index)) return false;
+  const bool lacks_samples = std::any_of(hit.hit.findings.begin(), hit.hit.findings.end(), [](const auto& finding) {
+    return finding.code == acquire::FindingCode::lost_samples && finding.severity == acquire::Severity::reject;
+  });
   return names_hit(options.accept_hits, options.reject_hits, index) ||
-         !acquire::has_finding(hit.hit.findings, acquire::FindingCode::no_pulse);
+         !(lacks_samples || acquire::has_finding(hit.hit.findings, acquire::FindingCode::no_pulse));
 }
 
 std::size_t impacts_without_pulse(const std::vector<AnalysedHit>& impacts, const AnalysisOptions& options) {
   std::size_t count = 0;
   for (std::size_t h = 0; h < impacts.size(); ++h) {
-    if (!is_usable_impact(impacts[h], options, h) && !names_hit(options.reject_hits, options.accept_hits, h)) ++count;
+    const bool lacks_pulse = acquire::has_finding(impacts[h].hit.findings, acquire::FindingCode::no_pulse);
+    if (lacks_pulse && !is_usable_impact(impacts[h], options, h) &&
+        !names_hit(options.reject_hits, options.accept_hits, h))
+      ++count;
   }
   return count;
 }

@@ -71,6 +71,33 @@ TEST_F(AnalyzeChoices, AcceptsAndRejectsHitsAgainstTheirFindings) {
   EXPECT_FALSE(document["hits"][2].contains("by_user"));
 }
 
+// A hit without a pulse has no FRF: the option cannot change that.
+TEST_F(AnalyzeChoices, SaysWhyAHitWithoutAPulseCannotBeAccepted) {
+  const std::string missed = folder_->file("missed.h5");
+  test::write_small_test(missed, R"("hits": 3, "faults": [{"hit": 1, "kind": "missing"}])");
+  const json document = test::parse_json(run_percuss({"analyze", missed, "--accept-hit", "all", "--json"}).out);
+  EXPECT_EQ(document["hits"][1]["accepted"], false);
+  EXPECT_FALSE(document["hits"][1].contains("by_user"));
+  EXPECT_EQ(document["warnings"][0]["code"], "accept_refused");
+  EXPECT_THAT(document["warnings"][0]["message"], testing::StartsWith("hit 2 cannot be accepted"));
+}
+
+TEST_F(AnalyzeChoices, OffersToAcceptAHitOnlyWhereThatIsPossible) {
+  const std::string dead = folder_->file("dead.h5");
+  test::write_small_test(dead,
+                         R"("hits": 2, "faults": [{"hit": 0, "kind": "missing"}, {"hit": 1, "kind": "missing"}])");
+  for (const char* command : {"analyze", "survey"}) {
+    const auto outcome = run_percuss({command, dead});
+    EXPECT_EQ(outcome.code, 4) << command << outcome.err;
+    EXPECT_THAT(outcome.out + outcome.err, testing::Not(HasSubstr("accept-hit"))) << command;
+  }
+  EXPECT_THAT(run_percuss({"analyze", dead}).out, HasSubstr("no hit has a pulse of the force"));
+  EXPECT_THAT(run_percuss({"analyze", dead, "--accept-hit", "all"}).out, HasSubstr("hits 1, 2 cannot be accepted"));
+  const auto rejected = run_percuss({"analyze", path(), "--reject-hit", "all"});
+  EXPECT_EQ(rejected.code, 4);
+  EXPECT_THAT(rejected.out, HasSubstr("it (--accept-hit)"));
+}
+
 TEST_F(AnalyzeChoices, ReportsTheRequestedNumberOfModes) {
   const json document = document_of({"--modes", "1"});
   EXPECT_EQ(document["options"]["modes"], 1);

@@ -75,6 +75,14 @@ TEST_F(CompletionCommand, CompletesCommands) {
   EXPECT_THAT(in_bash({"fly", "t"}), IsEmpty());
 }
 
+TEST_F(CompletionCommand, CompletesTheCommandWhoseHelpIsAskedFor) {
+  EXPECT_THAT(in_bash({"help", "anal"}), ElementsAre("analyze"));
+  EXPECT_THAT(in_bash({"help", "model", ""}), ElementsAre("beam", "impact", "rigid", "trampoline", "bat", "shell"));
+  EXPECT_THAT(in_bash({"help", "batch", "su"}), ElementsAre("submit"));
+  EXPECT_THAT(in_bash({"help", "analyze", ""}), IsEmpty());
+  EXPECT_THAT(in_bash({"help", "analyze", "--ba"}), IsEmpty());
+}
+
 TEST_F(CompletionCommand, CompletesOptionsOfTheCommand) {
   EXPECT_THAT(in_bash({"analyze", "--ba"}), UnorderedElementsAre("--band", "--bat", "--bat-id"));
   EXPECT_THAT(in_bash({"analyze", "bat.h5", "--json", "--es"}), ElementsAre("--estimator"));

@@ -17,11 +17,20 @@ struct TranscriptCommand {
 /// following lines that start with "> " continue it; all other lines are its output.
 std::vector<TranscriptCommand> transcript_commands(const std::string& page);
 
+/// How far the last digits of a page and of the output may differ.
+enum class LastDigits {
+  equal,    // not at all: a page that a change made stale differs by a unit or two
+  rounded,  // by one, next to a ± by two: compilers, sanitizers and C libraries round differently, and an iterative fit
+            // ends within its tolerance
+};
+
+/// `equal` in a build by g++ for x86-64 without sanitizers, of which the pages show the output; else `rounded`.
+LastDigits last_digits_of_this_build();
+
 /// Whether the printed output agrees with the output on the page. Words, blanks, units, counts (numbers without a
-/// decimal point or an exponent) and the number of decimals must be equal. The last digit of other numbers may differ
-/// by one, next to a ± by two: compilers, sanitizers and C libraries round differently, and an iterative fit ends
-/// within its tolerance.
-bool matches_transcript(const std::vector<std::string>& shown, const std::vector<std::string>& printed);
-bool same_line(std::string_view shown, std::string_view printed);
+/// decimal point or an exponent) and the number of decimals must be equal; `digits` applies to other numbers.
+bool matches_transcript(const std::vector<std::string>& shown, const std::vector<std::string>& printed,
+                        LastDigits digits);
+bool same_line(std::string_view shown, std::string_view printed, LastDigits digits);
 
 }  // namespace percuss::test

@@ -67,8 +67,10 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
       .one_of({"h1", "h2", "hv"})
       .show_default();
   command
-      .list("--accept-hit", flags.accept_hits,
-            "Accept these hits whatever their findings: numbers as in the table of hits, ranges, or all; such as 1-5,8")
+      .list(
+          "--accept-hit", flags.accept_hits,
+          "Accept these hits despite their findings: numbers as in the table of hits, ranges, or all; such as 1-5,8. A "
+          "hit without a pulse of the force gives no FRF and stays rejected")
       .type("I,...")
       .add_check(kHitsRequirement, names_hits);
   command.list("--reject-hit", flags.reject_hits, "Reject these hits, written as for --accept-hit")

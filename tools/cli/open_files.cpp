@@ -106,8 +106,41 @@ void refuse_beside_others(const std::exception_ptr& error, const std::string& pa
   }
 }
 
+// A file that cannot be opened.
+struct BadFile {
+  std::string path;
+  std::exception_ptr error;
+};
+
+// "README.txt: fewer than two samples". Rethrows an error that is not the file's.
+std::string problem_of(const BadFile& file) {
+  constexpr std::size_t kMaxProblem = 60;  // bytes: five of them fit into a message
+  try {
+    std::rethrow_exception(file.error);
+  } catch (const MachineFault&) {
+    throw;
+  } catch (const InputError& error) {
+    return file_name(file.path) + ": " + one_line(error.problem(), kMaxProblem);
+  }
+}
+
+// Refuses several files at once, so that a folder with odd files can be cleaned up in one go.
+[[noreturn]] void refuse_all(const std::vector<BadFile>& bad, std::size_t files, bool found) {
+  constexpr std::size_t kMaxBad = 5;
+  std::string list;
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    const std::string problem = problem_of(bad[i]);
+    if (i < kMaxBad) list += (i > 0 ? "; " : "") + problem;
+  }
+  if (bad.size() > kMaxBad) list += fmt::format("; and {} more", bad.size() - kMaxBad);
+  const std::string folder = std::filesystem::path(bad.front().path).parent_path().string();
+  throw InputError(fmt::format("{} of {} files cannot be read: {}", bad.size(), files, list),
+                   folder.empty() ? "." : folder,
+                   found ? "move them elsewhere, or name the others by a pattern" : "leave them out");
+}
+
 // Opens the files in parallel, except sandboxed ones without a fork server. Leaves out files of folders that are no
-// records. Rethrows the error of the first other file that cannot be opened.
+// records. Names all other files that cannot be opened; rethrows the error if it is one file, or if none can be opened.
 template <class Opened, class Open>
 std::vector<std::optional<Opened>> for_each_file(const OrderedFiles& found, bool fork_server, const Open& open) {
   const ReadFlags& flags = found.flags;
@@ -122,13 +155,17 @@ std::vector<std::optional<Opened>> for_each_file(const OrderedFiles& found, bool
     }
   });
   const bool any = std::any_of(opened.begin(), opened.end(), [](const auto& one) { return one.has_value(); });
+  std::vector<BadFile> bad;
+  bool all_found = true;  // in folders or by patterns
   for (std::size_t i = 0; i < failed.size(); ++i) {
-    const bool beside_others = any && found.was_found(i);
-    if (!failed[i] || (beside_others && is_no_record(failed[i]))) continue;
-    if (beside_others) refuse_beside_others(failed[i], flags.paths[i]);
-    std::rethrow_exception(failed[i]);
+    if (!failed[i] || (any && found.was_found(i) && is_no_record(failed[i]))) continue;
+    bad.push_back({has_in_memory_inputs(flags) ? std::string() : flags.paths[i], failed[i]});
+    all_found = all_found && found.was_found(i);
   }
-  return opened;
+  if (bad.empty()) return opened;
+  if (any && bad.size() > 1 && !has_in_memory_inputs(flags)) refuse_all(bad, failed.size(), all_found);
+  if (any && all_found) refuse_beside_others(bad.front().error, bad.front().path);
+  std::rethrow_exception(bad.front().error);
 }
 
 // The note on the files that for_each_file() left out.

@@ -47,7 +47,7 @@ std::string html_of(const AnalyzeResults& results) {
   for (const Test& test : results.tests) {
     if (results.tests.size() > 1) html += report::page_paragraph(fmt::format("test {}", test.run));
     if (!test.analysis->possible()) {
-      html += report::page_paragraph(report::no_usable_hit().text);
+      html += report::page_paragraph(report::no_usable_hit(test.analysis->hits()).text);
     } else if (classes || results.sections.contains(report::ReportSection::modes)) {
       html += report::modes_table(*test.analysis, classes).html();
     } else {

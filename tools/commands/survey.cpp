@@ -128,8 +128,9 @@ void give_to_host(const SurveyFlags& flags, const std::shared_ptr<const SurveyRe
     return report::survey_text(results->survey, hits, width, write_option);
   };
   outcome.html = [results] {
-    return results->analysis->possible() ? report::survey_modes_table(results->survey).html()
-                                         : report::page_paragraph(report::no_usable_hit().text);
+    return results->analysis->possible()
+               ? report::survey_modes_table(results->survey).html()
+               : report::page_paragraph(report::no_usable_hit(results->analysis->hits()).text);
   };
   SurveyFlags captured = flags;
   captured.output = captured_output(flags.output);

@@ -30,6 +30,8 @@ const char* name_of(FindingCode code) {
       return "force_clipped";
     case FindingCode::rejected_live:
       return "rejected_live";
+    case FindingCode::lost_samples:
+      return "lost_samples";
   }
   return "";
 }

@@ -19,7 +19,8 @@ enum class FindingCode {
   outlier,
   polarity,
   force_clipped,
-  rejected_live
+  rejected_live,
+  lost_samples
 };
 using warnings::Severity;
 
@@ -30,8 +31,9 @@ struct Finding {
   double value = 0;
   std::string message;              // one sentence, with units
   std::vector<OptionId> options{};  // that the message concerns
-  std::optional<double> delay_s{};  // double_hit: from the first pulse to the second
-  bool before_main = false;         // double_hit: the smaller pulse came first
+  // double_hit: from the first pulse to the second; lost_samples: from the blow to samples that are missing after it
+  std::optional<double> delay_s{};
+  bool before_main = false;  // double_hit: the smaller pulse came first
 };
 
 /// The code's name in JSON: "double_hit", …

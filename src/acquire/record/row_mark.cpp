@@ -53,7 +53,7 @@ const char* reason_of(RowMark mark) { return kMarks.at(static_cast<std::size_t>(
 std::optional<RecordFault> record_fault(std::span<const double, 4> numbers, std::size_t rows) {
   const double fault = numbers[0], row = numbers[1], time_s = numbers[2], value = numbers[3];
   const bool finite = std::isfinite(time_s) && std::isfinite(value);
-  const bool known = fault >= 1 && fault <= static_cast<int>(FaultKind::resumed) && std::rint(fault) == fault;
+  const bool known = fault >= 1 && fault <= static_cast<int>(FaultKind::missing_samples) && std::rint(fault) == fault;
   const bool place = row >= -1 && row < static_cast<double>(rows) && std::rint(row) == row;
   if (!finite || !known || !place) return {};
   return RecordFault{.kind = static_cast<FaultKind>(static_cast<int>(fault)),

@@ -37,21 +37,22 @@ const char* reason_of(RowMark mark);
 
 /// A fault while a record was captured. Files store the number, as for RowMark.
 enum class FaultKind {
-  gap = 1,           // `value` frames are missing
-  overrun = 2,       // the device lost samples; `value` frames, 0: not known
-  dropped = 3,       // the computer was too slow; `value` frames
-  not_a_number = 4,  // `value` samples were NaN or infinite
-  clock_drift = 5,   // the device's rate differs from the stated one by `value`, relative
-  unplugged = 6,     // the device disappeared
-  rate_changed = 7,  // the device changed its sampling rate
-  failed = 8,        // the device stopped for another reason
-  resumed = 9        // the session was continued after an interruption
+  gap = 1,              // `value` frames are missing
+  overrun = 2,          // the device lost samples; `value` frames, 0: not known
+  dropped = 3,          // the computer was too slow; `value` frames
+  not_a_number = 4,     // `value` samples were NaN or infinite
+  clock_drift = 5,      // the device's rate differs from the stated one by `value`, relative
+  unplugged = 6,        // the device disappeared
+  rate_changed = 7,     // the device changed its sampling rate
+  failed = 8,           // the device stopped for another reason
+  resumed = 9,          // the session was continued after an interruption
+  missing_samples = 10  // the row lacks `value` samples, and a straight line takes their place: see SampleGap
 };
 
 struct RecordFault {
   FaultKind kind = FaultKind::gap;
   int row = -1;       // whose samples are concerned; −1: between the rows
-  double time_s = 0;  // since the start of the capture
+  double time_s = 0;  // since the start of the capture; of missing_samples: of the row
   double value = 0;
   bool operator==(const RecordFault&) const = default;
 };

@@ -92,21 +92,25 @@ bool is_exact(const TimeStamps& row, const Deviation& deviation) {
   return deviation.stamp_s <= 0.01 * row.resolution_s;
 }
 
+// The range of the stamps' distances from times that are step_s apart.
+double range_around_s(std::span<const double> t, double step_s) {
+  double least_s = 0, most_s = 0;
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    const double residual_s = t[i] - t.front() - static_cast<double>(i) * step_s;
+    least_s = std::min(least_s, residual_s);
+    most_s = std::max(most_s, residual_s);
+  }
+  return most_s - least_s;
+}
+
+constexpr double kArithmetic = 1e-6;  // of a unit of the last digit
+
 // Whether evenly spaced times explain every stamp within half a unit of its last digit. The range of the residuals is a
 // convex function of the step.
 bool has_even_times(const TimeStamps& row) {
   constexpr int kSections = 60;  // each leaves two thirds of the interval
-  constexpr double kArithmetic = 1e-6;
   const auto t = row.time_s;
-  const auto range_s = [&](double step_s) {
-    double least_s = 0, most_s = 0;
-    for (std::size_t i = 1; i < t.size(); ++i) {
-      const double residual_s = t[i] - t.front() - static_cast<double>(i) * step_s;
-      least_s = std::min(least_s, residual_s);
-      most_s = std::max(most_s, residual_s);
-    }
-    return most_s - least_s;
-  };
+  const auto range_s = [&](double step_s) { return range_around_s(t, step_s); };
   const double reach_s = row.resolution_s / static_cast<double>(t.size() - 1);
   double low_s = mean_step_s(t) - reach_s, high_s = mean_step_s(t) + reach_s;
   for (int i = 0; i < kSections; ++i) {
@@ -146,14 +150,50 @@ bool is_even(const TimeStamps& row, const Deviation& deviation) {
   return deviation.stamp_s <= tolerance_s && deviation.step_s <= tolerance_s;
 }
 
+std::vector<double> steps_of(std::span<const double> time_s) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < time_s.size(); ++i) steps.push_back(time_s[i] - time_s[i - 1]);
+  return steps;
+}
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// The usual step: the mean of the steps around the median, of which rounding alone moves each.
+double usual_step_s(const std::vector<double>& steps) {
+  constexpr double kUsual = 0.5;  // largest difference from the median, relative to it
+  const double middle_s = median_of(steps);
+  double sum_s = 0, count = 0;
+  for (const double step_s : steps) {
+    if (std::abs(step_s - middle_s) > kUsual * middle_s) continue;
+    sum_s += step_s;
+    ++count;
+  }
+  return count > 0 ? sum_s / count : 0;
+}
+
+// The steps of more than one `step_s`. Nothing where a step is none, or where too many stamps are missing.
+std::vector<StampGap> long_steps(const std::vector<double>& steps, double step_s) {
+  constexpr std::size_t kMaxMissingPart = 10;  // a tenth
+  std::vector<StampGap> gaps;
+  std::size_t missing = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const double count = std::round(steps[i] / step_s);
+    if (!(count >= 1) || count > static_cast<double>(steps.size())) return {};
+    if (count < 2) continue;
+    gaps.push_back({.at = i + 1, .count = static_cast<std::size_t>(count) - 1});
+    missing += gaps.back().count;
+  }
+  return missing * kMaxMissingPart > steps.size() ? std::vector<StampGap>() : gaps;
+}
+
 // The index of the stamp after the step that differs most from the median step, for messages.
 std::size_t oddest_step(const TimeStamps& row, double& step_s) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < row.time_s.size(); ++i) steps.push_back(row.time_s[i] - row.time_s[i - 1]);
-  auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  auto sorted = steps;
-  std::nth_element(sorted.begin(), sorted.begin() + (middle - steps.begin()), sorted.end());
-  step_s = sorted[steps.size() / 2];
+  const std::vector<double> steps = steps_of(row.time_s);
+  step_s = median_of(steps);
   const auto odd = std::max_element(steps.begin(), steps.end(),
                                     [&](double a, double b) { return std::abs(a - step_s) < std::abs(b - step_s); });
   return static_cast<std::size_t>(odd - steps.begin()) + 1;
@@ -208,14 +248,17 @@ std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows,
     if (!is_even(rows[r], deviation)) {
       double usual_s = 0;
       const std::size_t at = oddest_step(rows[r], usual_s);
-      problem = {uneven_text(rows[r].time_s[at] - rows[r].time_s[at - 1], usual_s), r, at, false};
+      constexpr double kJump = 1.5;  // usual steps
+      const double step_s = rows[r].time_s[at] - rows[r].time_s[at - 1];
+      problem = {uneven_text(step_s, usual_s), r, at,
+                 step_s >= kJump * usual_s ? StampProblemKind::jump : StampProblemKind::uneven};
       return std::nullopt;
     }
     if (first == nullptr) first = &rows[r];
     if (!has_same_rate(*first, rows[r])) {
       problem = {fmt::format("another sampling rate: a time step of {:.6g} s where the hits before have {:.6g} s",
                              mean_step_s(rows[r].time_s), mean_step_s(first->time_s)),
-                 r, 0, true};
+                 r, 0, StampProblemKind::rates_differ};
       return std::nullopt;
     }
     steps += static_cast<double>(rows[r].time_s.size() - 1);
@@ -251,6 +294,44 @@ std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows,
   }
   rate.fs_Hz = round_Hz;
   return rate;
+}
+
+std::vector<StampGap> gaps_of_stamps(const TimeStamps& row, std::optional<double> fs_Hz) {
+  constexpr double kMinUnits = 4;  // of the last digit, in a step
+  if (row.time_s.size() < 3) return {};
+  const std::vector<double> steps = steps_of(row.time_s);
+  const auto even_with = [&](const std::vector<StampGap>& gaps) {
+    const std::vector<double> all = with_missing_stamps(row.time_s, gaps);
+    const TimeStamps filled{.time_s = all, .resolution_s = row.resolution_s};
+    return is_even(filled, largest_deviation(all));
+  };
+  if (fs_Hz) {
+    const auto explains = [&](std::span<const double> t) {
+      return range_around_s(t, 1 / *fs_Hz) <= (1 - kArithmetic) * row.resolution_s;  // a lost sample may make it a unit
+    };
+    if (explains(row.time_s)) return {};
+    std::vector<StampGap> gaps = long_steps(steps, 1 / *fs_Hz);
+    if (!gaps.empty() && explains(with_missing_stamps(row.time_s, gaps))) return gaps;
+  }
+  const double step_s = usual_step_s(steps);
+  if (!(step_s >= kMinUnits * row.resolution_s)) return {};
+  std::vector<StampGap> gaps = long_steps(steps, step_s);
+  return gaps.empty() || !even_with(gaps) ? std::vector<StampGap>() : gaps;
+}
+
+std::vector<double> with_missing_stamps(std::span<const double> time_s, const std::vector<StampGap>& gaps) {
+  std::vector<double> out;
+  std::size_t from = 0;
+  for (const StampGap& gap : gaps) {
+    out.insert(out.end(), time_s.begin() + static_cast<std::ptrdiff_t>(from),
+               time_s.begin() + static_cast<std::ptrdiff_t>(gap.at));
+    const double before_s = time_s[gap.at - 1],
+                 step_s = (time_s[gap.at] - before_s) / static_cast<double>(gap.count + 1);
+    for (std::size_t i = 1; i <= gap.count; ++i) out.push_back(before_s + static_cast<double>(i) * step_s);
+    from = gap.at;
+  }
+  out.insert(out.end(), time_s.begin() + static_cast<std::ptrdiff_t>(from), time_s.end());
+  return out;
 }
 
 double roundest_between(double low, double high) {

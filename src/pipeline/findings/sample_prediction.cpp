@@ -92,6 +92,11 @@ double backward_error(const SamplePrediction& prediction, std::span<const double
   return x[n] - prediction.backward.dot(ahead(x, n));
 }
 
+bool can_fit_prediction(std::size_t first, std::size_t end, std::size_t at, std::size_t gap) {
+  const Equations equations = equations_around(first, end, at, gap);
+  return std::min(equations.forward.size(), equations.backward.size()) >= kMinEquations;
+}
+
 std::optional<SamplePrediction> fit_prediction(std::span<const std::span<const double>> channels, std::size_t first,
                                                std::size_t end, std::size_t at, std::size_t gap) {
   const Equations equations = equations_around(first, end, at, gap);
@@ -119,13 +124,19 @@ Interpolation interpolate_samples(const SamplePrediction& prediction, std::size_
   std::vector<double> known(x.begin(), x.end());
   std::fill_n(known.begin() + static_cast<std::ptrdiff_t>(before), count, 0.0);
   const std::size_t from = before, to = before + count;
-  const auto rows = static_cast<Index>(2 * (count + kPredictionOrder));
+  // The errors that depend on an unknown sample: x has all samples of their predictions.
+  const std::size_t forward_first = std::max(from, kPredictionOrder);
+  const std::size_t forward_end = std::max(forward_first, std::min(to + kPredictionOrder, x.size()));
+  const std::size_t backward_first = from - std::min(from, kPredictionOrder);
+  const std::size_t backward_end =
+      std::max(backward_first, std::min(to, x.size() - std::min(x.size(), kPredictionOrder)));
+  const auto rows = static_cast<Index>(forward_end - forward_first + backward_end - backward_first);
   MatrixXd left = MatrixXd::Zero(rows, static_cast<Index>(count));
   VectorXd right(rows);
   const double forward_weight = 1 / prediction.forward_std[channel];
   const double backward_weight = 1 / prediction.backward_std[channel];
   Index row = 0;
-  for (std::size_t n = from; n < to + kPredictionOrder; ++n, ++row) {
+  for (std::size_t n = forward_first; n < forward_end; ++n, ++row) {
     right[row] = -forward_weight * forward_error(prediction, known, n);
     for (std::size_t u = from; u < to && u <= n; ++u) {
       const std::size_t lag = n - u;
@@ -134,7 +145,7 @@ Interpolation interpolate_samples(const SamplePrediction& prediction, std::size_
           forward_weight * (lag == 0 ? 1 : -prediction.forward[static_cast<Index>(lag - 1)]);
     }
   }
-  for (std::size_t n = from - kPredictionOrder; n < to; ++n, ++row) {
+  for (std::size_t n = backward_first; n < backward_end; ++n, ++row) {
     right[row] = -backward_weight * backward_error(prediction, known, n);
     for (std::size_t u = std::max(from, n); u < to; ++u) {
       const std::size_t lag = u - n;

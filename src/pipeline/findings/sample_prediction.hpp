@@ -21,6 +21,9 @@ inline constexpr std::size_t kDiagnosisRoom = 84 + 2 * kPredictionOrder;
 double forward_error(const SamplePrediction& prediction, std::span<const double> x, std::size_t n);
 double backward_error(const SamplePrediction& prediction, std::span<const double> x, std::size_t n);
 
+/// Whether fit_prediction() has enough samples.
+bool can_fit_prediction(std::size_t first, std::size_t end, std::size_t at, std::size_t gap);
+
 /// Fits the predictions to the samples [first, end) of all channels, without samples nearer to `at` than `gap`. Nothing
 /// when too few samples remain.
 std::optional<SamplePrediction> fit_prediction(std::span<const std::span<const double>> channels, std::size_t first,
@@ -33,7 +36,8 @@ struct Interpolation {
   std::size_t freedom = 0;  // number of errors minus number of unknowns
 };
 /// Values for `count` samples of x from sample `before` on, which make the errors of the prediction around them least.
-/// The recorded values of these samples have no effect.
+/// The recorded values of these samples have no effect. Near an end of x, fewer errors determine them: at the first
+/// sample those of the backward prediction alone. x must hold kPredictionOrder samples before or after them.
 Interpolation interpolate_samples(const SamplePrediction& prediction, std::size_t channel, std::span<const double> x,
                                   std::size_t before, std::size_t count);
 

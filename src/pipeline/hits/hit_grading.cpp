@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "pipeline/hits/hit_gaps.hpp"
 #include "pipeline/hits/needed_hits.hpp"
 #include "pipeline/hits/response_clipping.hpp"
 
@@ -35,12 +36,14 @@ std::vector<AnalysedHit> grade_by_force(std::vector<acquire::Hit> found, const a
   require_hits(demands.accept, found.size(), record, "accept_hit");
   require_hits(demands.reject, found.size(), record, "reject_hit");
   if (demands.high_Hz) acquire::grade_bandwidth(found, *demands.high_Hz);
+  grade_gaps(found, record);
   std::vector<AnalysedHit> hits;
   hits.reserve(found.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool accept = names_hit(demands.accept, demands.reject, i) && !found[i].gated_N.empty();
+    AnalysedHit hit{.hit = std::move(found[i]), .responses = {}};
+    const bool accept = names_hit(demands.accept, demands.reject, i) && can_be_accepted(hit);
     const bool reject = names_hit(demands.reject, demands.accept, i);
-    AnalysedHit hit{.hit = std::move(found[i]), .by_user = accept || reject, .responses = {}};
+    hit.by_user = accept || reject;
     hit.point = record.rows[hit.hit.row].point;
     hit.accepted = accept || (!reject && !acquire::rejects(hit.hit.findings));
     hits.push_back(std::move(hit));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include "acquire/hits/time_selection.hpp"
 #include "pipeline/warnings/mode_warnings.hpp"
@@ -86,8 +87,12 @@ std::vector<Warning> missing_result_warnings(const ResponseTest& test) {
   std::vector<Warning> modes = missing_modes(test);
   out.insert(out.end(), std::make_move_iterator(modes.begin()), std::make_move_iterator(modes.end()));
   if (!test.possible() && !test.no_impact && constant.size() < test.record.accel.size()) {
-    out.push_back(with_remedy({"no_free_decay", "no impact is followed by a free decay", {"accept_hit", "from"}},
-                              "record longer after each impact"));
+    const bool acceptable = std::any_of(test.hits.begin(), test.hits.end(), [](const ResponseHit& hit) {
+      return !hit.accepted && can_be_accepted(hit);
+    });
+    Warning warning{"no_free_decay", "no impact is followed by a free decay", {"from"}};
+    if (acceptable) warning.options = {"accept_hit", "from"};
+    out.push_back(with_remedy(std::move(warning), "record longer after each impact"));
   }
   return out;
 }

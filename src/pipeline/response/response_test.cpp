@@ -22,10 +22,10 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kAntiAlias = 0.44;       // of fs: above it a recorder's filter shapes the response
-constexpr double kMinDefaultLines = 1.5;  // lower end of the default band, in spectral lines
-constexpr std::size_t kMinSamples = 64;
+constexpr double kAntiAlias = 0.44;                         // of fs: above it a recorder's filter shapes the response
+constexpr double kMinDefaultLines = 1.5;                    // lower end of the default band, in spectral lines
 constexpr double kMinLengthShare = 0.5;                     // of the median length
+constexpr double kBlow_s = 0.005;                           // after the onset: the force may still act
 constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;  // of a transform
 constexpr int kMaxAttempts = 3;                             // fits, each without the disturbances of the one before
 
@@ -48,7 +48,7 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
   }
   require_hits(options.accept_hits, hits.size(), record, "accept_hit");
   require_hits(options.reject_hits, hits.size(), record, "reject_hit");
-  const double least = std::max(static_cast<double>(kMinSamples), kMinLengthShare * median(lengths));
+  const double least = std::max(static_cast<double>(kMinDecaySamples), kMinLengthShare * median(lengths));
   const bool any_shown = std::any_of(hits.begin(), hits.end(), [](const auto& hit) { return hit.impact.whole_pulse; });
   for (std::size_t h = 0; h < hits.size(); ++h) {
     // Without a visible pulse, the impact may lie anywhere in the row.
@@ -60,13 +60,60 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
       hits[h].accepted = false;
       hits[h].reason = "too few usable samples until the next impact or the end";
     }
-    const bool accept = names_hit(options.accept_hits, options.reject_hits, h);
+    const bool accept = names_hit(options.accept_hits, options.reject_hits, h) && can_be_accepted(hits[h]);
     const bool reject = names_hit(options.reject_hits, options.accept_hits, h);
     hits[h].by_user = accept || reject;
     if (accept) hits[h].accepted = true;
     if (reject) hits[h].accepted = false;
   }
   return hits;
+}
+
+// The first gap within the decay of a hit; the decay ends before a second one.
+std::optional<GapInDecay> gap_of(const acquire::Record& record, ResponseHit& hit) {
+  const auto blow = static_cast<std::size_t>(kBlow_s * record.fs_Hz);
+  std::optional<GapInDecay> found;
+  for (const acquire::SampleGap& gap : acquire::gaps_of(record)) {
+    if (gap.row != hit.impact.row || gap.first + gap.count <= hit.impact.first || gap.first >= hit.impact.end) continue;
+    if (found) {
+      hit.impact.end = gap.first;
+      found->decay.end = gap.first;
+      break;
+    }
+    found = {.gap = gap, .decay = {.first = hit.impact.first + blow, .end = hit.impact.end}};
+  }
+  return found;
+}
+
+// Predicts the samples that the decays lack. Of a decay whose samples cannot be predicted, the longer part remains.
+void close_decay_gaps(ResponseTest& test) {
+  std::vector<GapInDecay> gaps;
+  std::vector<std::size_t> of_hit;
+  const auto take_longer_part = [](ResponseHit& hit, const acquire::SampleGap& gap) {
+    const std::size_t end = std::min(gap.first + gap.count, hit.impact.end);
+    if (gap.first > hit.impact.first && gap.first - hit.impact.first >= hit.impact.end - end) {
+      hit.impact.end = gap.first;
+    } else {
+      hit.impact.first = end;
+    }
+    hit.lost->predicted = false;
+  };
+  for (std::size_t h = 0; h < test.hits.size(); ++h) {
+    ResponseHit& hit = test.hits[h];
+    const auto at = gap_of(test.record, hit);
+    if (!at) continue;
+    const auto after = static_cast<double>(at->gap.first) / test.record.fs_Hz - hit.onset_s;
+    hit.lost = LostSamples{.hit = h, .count = at->gap.count, .after_s = after, .predicted = true};
+    if (can_predict(*at)) {
+      gaps.push_back(*at);
+      of_hit.push_back(h);
+    } else {
+      take_longer_part(hit, at->gap);
+    }
+  }
+  std::vector<std::size_t> failed;
+  test.record = with_predicted_samples(test.record, gaps, failed);
+  for (const std::size_t g : failed) take_longer_part(test.hits[of_hit[g]], gaps[g].gap);
 }
 
 std::size_t common_samples(const ResponseTest& test) {
@@ -79,7 +126,7 @@ std::size_t common_samples(const ResponseTest& test) {
   }
   if (const auto length = acquire::selected_length(test.record, test.options.hits))
     samples = std::min(samples, *length);
-  return any && samples >= kMinSamples ? fast_length_at_most(samples) : 0;
+  return any && samples >= kMinDecaySamples ? fast_length_at_most(samples) : 0;
 }
 
 identify::FreeDecays decays_of(const ResponseTest& test) {
@@ -105,7 +152,7 @@ bool leave_out_disturbances(ResponseTest& test, const std::vector<std::optional<
   for (ResponseHit& hit : test.hits) {
     if (!hit.accepted) continue;
     const std::optional<std::size_t> sample = *at++;
-    if (!sample || hit.by_user || *sample < kMinSamples) continue;
+    if (!sample || hit.by_user || *sample < kMinDecaySamples) continue;
     changed = true;
     if (all) {
       hit.impact.end = hit.impact.first + *sample;
@@ -176,6 +223,7 @@ ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& op
   const BudgetScope scope(meter);
   assume_angles(test.record, test.options.classes);
   test.hits = graded(test.record, test.options);
+  close_decay_gaps(test);
   test.samples = common_samples(test);
   test.fitted = work == ResponseWork::modes;
   for (int attempt = 1; test.fitted && test.possible(); ++attempt) {

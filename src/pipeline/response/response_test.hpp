@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "identify/decay/decay_modes.hpp"
 #include "pipeline/analysis_options.hpp"
 #include "pipeline/response/response_impacts.hpp"
+#include "pipeline/warnings/lost_sample_warnings.hpp"
 #include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
@@ -17,11 +19,17 @@ struct ResponseHit {
   int point = 0;
   double onset_s = 0;  // from the row's beginning
   bool accepted = false, by_user = false;
-  std::string reason;      // why it is rejected
-  double clipped_s = 0;    // from the onset to the last clipped sample; the decay is fitted after it
-  bool gated = false;      // the recorder cut the decay off
-  bool shortened = false;  // the decay ends before a disturbance (decay_disturbances())
+  std::string reason;                 // why it is rejected
+  double clipped_s = 0;               // from the onset to the last clipped sample; the decay is fitted after it
+  bool gated = false;                 // the recorder cut the decay off
+  std::optional<LostSamples> lost{};  // in its decay; what could not be predicted is not used
+  bool shortened = false;             // the decay ends before a disturbance (decay_disturbances())
 };
+
+/// Shorter decays show no modes.
+inline constexpr std::size_t kMinDecaySamples = 64;
+/// Whether the user may accept a hit: its decay is not too short.
+inline bool can_be_accepted(const ResponseHit& hit) { return hit.impact.end - hit.impact.first >= kMinDecaySamples; }
 
 /// The results of a test without a force: modes from free decays.
 struct ResponseTest {

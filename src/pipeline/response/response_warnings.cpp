@@ -9,8 +9,10 @@
 #include "acquire/channels/role_guess.hpp"
 #include "acquire/channels/unit_notes.hpp"
 #include "core/error.hpp"
+#include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/response/missing_results.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
+#include "pipeline/warnings/hit_list.hpp"
 #include "pipeline/warnings/object_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
 
@@ -168,6 +170,20 @@ std::vector<Warning> uneven_decays(const ResponseTest& test) {
       "strike with less and with more force and compare; check for friction and loose parts")};
 }
 
+std::vector<Warning> refused_hits(const ResponseTest& test) {
+  std::vector<std::size_t> refused;
+  for (std::size_t h = 0; h < test.hits.size(); ++h) {
+    if (names_hit(test.options.accept_hits, test.options.reject_hits, h) && !can_be_accepted(test.hits[h]))
+      refused.push_back(h);
+  }
+  if (refused.empty()) return {};
+  return {with_remedy({"accept_refused",
+                       fmt::format("{} cannot be accepted: fewer than {} samples follow the impact", hit_list(refused),
+                                   kMinDecaySamples),
+                       {"accept_hit"}},
+                      "record longer after each impact")};
+}
+
 std::vector<Warning> pairs_or_scatter(const ResponseTest& test) {
   std::string list;
   for (const identify::DecayMode& mode : test.found.modes) {
@@ -194,6 +210,12 @@ std::vector<Warning> response_warnings(const ResponseTest& test) {
   add(hammer_as_response(test.record));
   out.push_back(no_force());
   add(missing_result_warnings(test));
+  add(refused_hits(test));
+  std::vector<LostSamples> lost;
+  for (const ResponseHit& hit : test.hits) {
+    if (hit.accepted && hit.lost) lost.push_back(*hit.lost);
+  }
+  add(lost_samples_warning(lost, "the longer part of the decay, before or after the gap, is used"));
   add(damaged_decays(test));
   add(uneven_decays(test));
   add(tones(test));

@@ -28,10 +28,16 @@ std::vector<acquire::Hit> RecordSource::find_hits(const acquire::HitOptions& opt
   return acquire::find_hits(record_, options);
 }
 
-void RecordSource::require_accepted(bool any) const {
-  if (any) return;
-  throw InputError("no hit can be used", record_.source(), "see the hits' findings, or accept a hit despite them",
-                   {"accept_hit"});
+void RecordSource::require_accepted(const std::vector<AnalysedHit>& hits) const {
+  if (any_accepted(hits)) return;
+  if (can_accept_more(hits)) {
+    throw InputError("no hit can be used", record_.source(), "see the hits' findings, or accept a hit despite them",
+                     {"accept_hit"});
+  }
+  const bool pulses =
+      std::any_of(hits.begin(), hits.end(), [](const AnalysedHit& hit) { return can_be_accepted(hit); });
+  throw InputError(pulses ? "no hit can be used" : "no hit has a pulse of the force", record_.source(),
+                   "see the hits' findings");
 }
 
 std::pair<double, double> RecordSource::default_band_Hz(const std::vector<AnalysedHit>& hits) const {
@@ -48,7 +54,7 @@ std::pair<double, double> RecordSource::default_band_Hz(const std::vector<Analys
 std::size_t RecordSource::block_samples(const LineRequest& request, const std::vector<AnalysedHit>& hits,
                                         Trace& trace) const {
   const std::vector<std::size_t> used = accepted_hits(hits);
-  require_accepted(!used.empty());
+  require_accepted(hits);
   std::size_t samples = hits[used.front()].hit.samples;
   for (const std::size_t h : used) {
     const acquire::Hit& hit = hits[h].hit;
@@ -89,7 +95,7 @@ acquire::LineRange RecordSource::choose_lines(const LineRequest& request, const 
 }
 
 std::vector<FrfGroup> RecordSource::groups(const std::vector<AnalysedHit>& hits) const {
-  require_accepted(any_accepted(hits));
+  require_accepted(hits);
   return frf_groups(hits, record_.accel.size());
 }
 
@@ -99,7 +105,7 @@ acquire::PointFrf RecordSource::frf(const FrfGroup& group, const TestSpectra& sp
 
 identify::FrfDataset RecordSource::dataset(const TestSpectra& spectra, const std::vector<std::size_t>& hits,
                                            const std::vector<acquire::PointFrf>* averages) const {
-  require_accepted(!hits.empty());
+  if (hits.empty()) throw InputError("no hit can be used", record_.source(), "see the hits' findings");
   return h1_dataset(spectra, hits, record_.accel.size(), averages);
 }
 

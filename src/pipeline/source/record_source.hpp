@@ -26,7 +26,7 @@ class RecordSource : public Source {
  private:
   std::size_t block_samples(const LineRequest& request, const std::vector<AnalysedHit>& hits, Trace& trace) const;
   void require_band(const LineRequest& request) const;
-  void require_accepted(bool any) const;
+  void require_accepted(const std::vector<AnalysedHit>& hits) const;
 
   acquire::Record record_;
 };

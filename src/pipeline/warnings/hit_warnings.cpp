@@ -13,6 +13,7 @@
 #include "core/io/counted_words.hpp"
 #include "core/math/statistics.hpp"
 #include "pipeline/hits/hit_consistency.hpp"
+#include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/hits/motion_before.hpp"
 #include "pipeline/warnings/hit_list.hpp"
 
@@ -127,6 +128,21 @@ std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vect
         "use a harder tip or a lighter hammer, or narrow the band"));
   }
   return out;
+}
+
+std::vector<Warning> refused_hit_warnings(const std::vector<AnalysedHit>& hits, const std::vector<std::size_t>& accepts,
+                                          const std::vector<std::size_t>& rejects) {
+  std::vector<std::size_t> refused;
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    if (names_hit(accepts, rejects, h) && !can_be_accepted(hits[h])) refused.push_back(h);
+  }
+  if (refused.empty()) return {};
+  return {with_remedy({"accept_refused",
+                       fmt::format("{} cannot be accepted: an FRF is the response over the force, and the force has no "
+                                   "pulse there",
+                                   hit_list(refused)),
+                       {"accept_hit"}},
+                      refused.size() == 1 ? "repeat this hit" : "repeat these hits")};
 }
 
 std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits, const std::vector<EarlierRinging>& ringing) {

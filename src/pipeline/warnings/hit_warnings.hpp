@@ -16,6 +16,11 @@ namespace percuss::pipeline {
 std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                   const PointNames& names, const std::set<std::size_t>& silent = {});
 
+/// accept_refused: hits that the user accepts, by index or kEveryHit, but that have no pulse. `rejects`: the list of
+/// hits that the user rejects.
+std::vector<Warning> refused_hit_warnings(const std::vector<AnalysedHit>& hits, const std::vector<std::size_t>& accepts,
+                                          const std::vector<std::size_t>& rejects);
+
 /// not_at_rest, and earlier_ringing for the ringing that was subtracted.
 std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits, const std::vector<EarlierRinging>& ringing);
 

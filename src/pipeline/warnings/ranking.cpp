@@ -53,6 +53,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"mass_loading", Severity::warn},
     {"not_at_rest", Severity::warn},
     {"dropped_points", Severity::warn},
+    {"accept_refused", Severity::warn},
     {"start_refused", Severity::warn},
     {"outlier", Severity::warn},
     {"implausible_force", Severity::warn},

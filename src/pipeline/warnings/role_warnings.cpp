@@ -4,47 +4,194 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
 
-#include "acquire/channels/role_guess.hpp"
+#include "acquire/hits/pulse_shape.hpp"
 #include "core/error.hpp"
+#include "core/math/statistics.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
+constexpr std::size_t kMaxExamined = 16;  // hits of a channel
+// Share of the energy around a pulse that lies within it. A hammer with a noise of 1 % of its peak has 0.97, the
+// response of a bat at the struck point up to 0.93 and elsewhere below 0.5.
+constexpr double kMinPulseShare = 0.95;
+constexpr double kMaxOpposite = 0.3;    // largest sample of the other sign over the peak: ringing of a steep filter
+constexpr double kPulsesAround = 20;    // lengths of the pulse on either side, over which its energy is compared
+constexpr double kRinging_s = 0.025;    // after the pulse: a response still moves
+constexpr double kMinRinging = 10;      // mean square of the force after the pulse over the one before it
+constexpr std::size_t kMinBefore = 16;  // samples before the pulse that show the noise
+constexpr std::size_t kFinalPart = 10;  // the last tenth of a row, at most kMaxFinal samples of it
+constexpr std::size_t kMaxFinal = 4096;
+constexpr std::size_t kBlocks = 64;                      // of a row, whose levels show whether a channel responds
+constexpr std::size_t kMaxRead = std::size_t{1} << 20U;  // samples of a row that are read for it
+constexpr double kMinResponseLevel = 10;  // mean square of the loudest block over that of the quietest, as amplitude
+
 bool lacks_pulse(const AnalysedHit& hit) {
-  const auto& findings = hit.hit.findings;
-  return !hit.accepted && !hit.by_user && std::any_of(findings.begin(), findings.end(), [](const auto& finding) {
-    return finding.code == acquire::FindingCode::no_pulse;
-  });
+  return !hit.accepted && !hit.by_user && acquire::has_finding(hit.hit.findings, acquire::FindingCode::no_pulse);
+}
+
+// The record with a response in the place of the force.
+acquire::Record with_force_from(const acquire::Record& record, std::size_t channel) {
+  acquire::Record out = record;
+  out.contiguous.clear();
+  out.read_force_N = [&record, channel](std::size_t row, std::size_t first, std::span<double> samples) {
+    record.read_accel_mps2(row, channel, first, samples);
+  };
+  return out;
+}
+
+double mean_square(std::span<const double> x) {
+  double sum = 0;
+  for (const double value : x) sum += value * value;
+  return x.empty() ? 0 : sum / static_cast<double>(x.size());
+}
+
+// Part of a row around a pulse, in samples of the row.
+struct PulseRange {
+  std::size_t begin = 0, first = 0, end = 0, last = 0;  // [begin, first) before, [first, end) pulse, [end, last) after
+};
+
+PulseRange range_around(const acquire::Hit& hit, std::size_t row_samples, double fs_Hz) {
+  const double around_s = std::max(kPulsesAround * hit.pulse_s, kRinging_s);
+  const auto reach = static_cast<std::size_t>(around_s * fs_Hz) + 1;
+  const std::size_t end = std::min(std::max(hit.pulse_end, hit.peak + 1), row_samples);
+  return {.begin = hit.gate_first - std::min(hit.gate_first, reach),
+          .first = hit.gate_first,
+          .end = end,
+          .last = std::min(row_samples, end + reach)};
+}
+
+// The samples [range.begin, range.last) around their level before the pulse; if too few samples precede the pulse,
+// around their median.
+template <class Read>
+std::vector<double> samples_around(const PulseRange& range, Read read) {
+  std::vector<double> x(range.last - range.begin);
+  read(range.begin, std::span(x));
+  const std::size_t quiet = range.first - range.begin;
+  const auto before = std::span<const double>(x).first(quiet);
+  const double rest =
+      quiet < kMinBefore ? median(x) : std::accumulate(before.begin(), before.end(), 0.0) / static_cast<double>(quiet);
+  for (double& value : x) value -= rest;
+  return x;
+}
+
+// Energy within the pulse over the energy around it, without the noise.
+double pulse_share(std::span<const double> x, const PulseRange& range) {
+  const auto before = x.first(range.first - range.begin), pulse = x.subspan(before.size(), range.end - range.first);
+  const double noise = before.size() < kMinBefore ? 0 : mean_square(before);
+  const auto energy = [&](std::span<const double> part) {
+    return (mean_square(part) - noise) * static_cast<double>(part.size());
+  };
+  const double within = energy(pulse), around = within + std::max(0.0, energy(x.subspan(range.end - range.begin)));
+  return around > 0 ? within / around : 0;
+}
+
+// Whether a signal rises and falls like a hammer's force: to one side, and with little motion after it.
+bool is_pulse(std::span<const double> x, const PulseRange& range) {
+  const auto [low, high] = std::minmax_element(x.begin(), x.end());
+  const double larger = std::max(*high, -*low), smaller = std::min(*high, -*low);
+  return smaller <= kMaxOpposite * larger && pulse_share(x, range) >= kMinPulseShare;
+}
+
+// Mean square of the force at the end of a row, about its mean.
+double final_level(const acquire::Record& record, std::size_t row) {
+  const std::size_t samples = record.rows[row].samples;
+  std::vector<double> x(std::min(kMaxFinal, samples / kFinalPart));
+  record.read_force_N(row, samples - x.size(), x);
+  const double deviation = x.empty() ? 0 : rms_about_mean(x);
+  return x.size() < kMinBefore ? std::numeric_limits<double>::infinity() : deviation * deviation;
+}
+
+// Whether the force moves after the pulse of another signal. It was quieter before, or is quieter at the end of the
+// row: a short pre-trigger holds the ringing of the filter alone.
+bool rings_after(std::span<const double> force, const PulseRange& range, double final) {
+  const auto before = force.first(range.first - range.begin), after = force.subspan(range.end - range.begin);
+  const double quiet = before.size() < kMinBefore ? final : std::min(final, mean_square(before));
+  return after.size() >= kMinBefore && mean_square(after) > kMinRinging * quiet;
+}
+
+// The share of examined hits at which the response shows a hammer's pulse and the force rings after it.
+double hammer_share(const acquire::Record& record, std::size_t channel, const acquire::HitOptions& options) {
+  const std::vector<acquire::Hit> hits = acquire::find_hits(
+      with_force_from(record, channel), {.from_s = options.from_s, .to_s = options.to_s, .gate_force = true});
+  const std::size_t examined = std::min(kMaxExamined, hits.size());
+  std::size_t hammers = 0;
+  for (std::size_t i = 0; i < examined; ++i) {
+    const acquire::Hit& hit = hits[i * hits.size() / examined];
+    if (hit.gated_N.empty()) continue;
+    const PulseRange range = range_around(hit, record.rows[hit.row].samples, record.fs_Hz);
+    const auto accel = samples_around(
+        range, [&](std::size_t first, std::span<double> out) { record.read_accel_mps2(hit.row, channel, first, out); });
+    if (!is_pulse(accel, range)) continue;
+    const auto force = samples_around(
+        range, [&](std::size_t first, std::span<double> out) { record.read_force_N(hit.row, first, out); });
+    if (!is_pulse(force, range) && rings_after(force, range, final_level(record, hit.row))) ++hammers;
+  }
+  return examined > 0 ? static_cast<double>(hammers) / static_cast<double>(examined) : 0;
+}
+
+// The first response that moves in the row of a hit.
+std::optional<std::size_t> responding_channel(const acquire::Record& record, const acquire::Hit& hit) {
+  std::vector<double> x(std::min(hit.samples, kMaxRead));
+  for (std::size_t c = 0; c < record.accel.size() && x.size() >= kBlocks; ++c) {
+    record.read_accel_mps2(hit.row, c, hit.first, x);
+    const double rest = median(x);
+    for (double& value : x) value -= rest;
+    double loudest = 0, quietest = std::numeric_limits<double>::infinity();
+    for (std::size_t b = 0; b < kBlocks; ++b) {
+      const std::size_t first = b * x.size() / kBlocks, end = (b + 1) * x.size() / kBlocks;
+      const double level = mean_square(std::span<const double>(x).subspan(first, end - first));
+      loudest = std::max(loudest, level);
+      quietest = std::min(quietest, level);
+    }
+    if (loudest > kMinResponseLevel * kMinResponseLevel * quietest) return c;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::vector<Warning> role_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {
-  if (!record.has_force || hits.empty() || !std::all_of(hits.begin(), hits.end(), lacks_pulse)) return {};
-  const std::size_t row = hits.front().hit.row;
-  std::vector<double> samples(std::min(record.rows[row].samples, acquire::kGuessedSamples));
-  record.read_force_N(row, 0, samples);
-  const double force_measure = acquire::hammer_dissimilarity(samples);
-  std::size_t hammer = 0;
-  double smallest = 1;
+std::vector<Warning> role_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                   const acquire::HitOptions& options) {
+  const auto lacking = static_cast<std::size_t>(std::count_if(hits.begin(), hits.end(), lacks_pulse));
+  if (!record.has_force || 2 * lacking <= hits.size()) return {};
+  constexpr double kMostHits = 0.5;
+  std::optional<std::size_t> hammer;
+  double largest = kMostHits;
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
-    record.read_accel_mps2(row, c, 0, samples);
-    const double measure = acquire::hammer_dissimilarity(samples);
-    if (measure < smallest) {
-      smallest = measure;
-      hammer = c;
-    }
+    const double share = hammer_share(record, c, options);
+    if (share <= largest) continue;
+    largest = share;
+    hammer = c;
   }
-  if (!(acquire::kMaxDissimilarityRatio * smallest < force_measure)) return {};
   const std::string force = one_line(record.force.name, kMaxNameBytes);
-  const std::string response = one_line(record.accel[hammer].name, kMaxNameBytes);
+  if (hammer) {
+    const std::string response = one_line(record.accel[*hammer].name, kMaxNameBytes);
+    return {with_remedy(
+        {"swapped_channels",
+         fmt::format("{} looks like the hammer and {} like a response: the channels are swapped", response, force),
+         {"force_channel", "accel_channel"}},
+        fmt::format("name {} as the force and {} as the acceleration, and their units if the file states others",
+                    response, force))};
+  }
+  if (lacking < hits.size() || options.trigger_N) return {};
+  const auto moving = responding_channel(record, hits.front().hit);
+  const std::string responds =
+      moving ? fmt::format(", while {} responds", one_line(record.accel[*moving].name, kMaxNameBytes)) : "";
   return {with_remedy(
-      {"swapped_channels",
-       fmt::format("{} looks like the hammer and {} like a response: the channels are swapped", response, force),
-       {"force_channel", "accel_channel"}},
-      fmt::format("name {} as the force and {} as the acceleration, and their units if the file states others",
-                  response, force))};
+      {"no_pulse",
+       fmt::format("{} shows no hammer pulse at {}{}: the hammer's channel seems dead", force,
+                   hits.size() == 1 ? std::string("the only hit") : fmt::format("any of {} hits", hits.size()),
+                   responds),
+       {"force_channel"}},
+      "check the hammer's cable, its sensitivity and the trigger, and which channel is the force")};
 }
 
 }  // namespace percuss::pipeline

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "core/math/statistics.hpp"
 #include "pipeline/warnings/hit_list.hpp"
@@ -94,12 +95,17 @@ std::vector<Warning> used_hit_warnings(const acquire::Record& record, const std:
         "repeat the hits of these points"));
   }
   if (const std::vector<int> points = dropped_points(hits); !points.empty()) {
-    out.push_back(with_remedy({"dropped_points",
-                               fmt::format("no hit can be used at {}: FRFs and shapes lack {}. Each hit's verdict "
-                                           "gives the reason",
-                                           names.list(points, kMaxPoints), points.size() == 1 ? "it" : "them"),
-                               {"accept_hit"}},
-                              "repeat these hits, or accept one despite its findings"));
+    Warning warning{"dropped_points",
+                    fmt::format("no hit can be used at point{} {}: FRFs and shapes lack {}. Each hit's verdict gives "
+                                "the reason",
+                                plural(points.size()), list, points.size() == 1 ? "it" : "them")};
+    const bool acceptable = std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& hit) {
+      return can_be_accepted(hit) && !lacks_samples_of_pulse(hit) &&
+             std::binary_search(points.begin(), points.end(), hit.point);
+    });
+    if (acceptable) warning.options = {"accept_hit"};
+    out.push_back(with_remedy(std::move(warning), acceptable ? "repeat these hits, or accept one despite its findings"
+                                                             : "repeat these hits"));
   }
   add_short_hit(out, record, hits, samples);
   return out;

@@ -75,6 +75,7 @@ constexpr auto kPlaces = std::to_array<PlacedCode>({
     {"duplicate", PagePart::force},
     {"short_pretrigger", PagePart::force},
     {"dropped_points", PagePart::force},
+    {"accept_refused", PagePart::force},
     {"rejected_hits", PagePart::force},
     {"rejected_live", PagePart::force},
     {"ac_coupling", PagePart::force},

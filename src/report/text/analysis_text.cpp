@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "report/text/analysis_tables.hpp"
 #include "report/text/coherence_summary.hpp"
@@ -81,9 +83,13 @@ std::string spaced(const std::string& text) { return text.empty() ? text : text 
 
 }  // namespace
 
-Message no_usable_hit() {
-  return {"no hit can be used, so there are no FRFs and no modes; to use a hit despite its findings, accept it",
-          {"accept_hit"}};
+Message no_usable_hit(const std::vector<pipeline::AnalysedHit>& hits) {
+  const std::string result = "so there are no FRFs and no modes";
+  if (pipeline::can_accept_more(hits))
+    return {"no hit can be used, " + result + "; to use a hit despite its findings, accept it", {"accept_hit"}};
+  const bool pulses =
+      std::any_of(hits.begin(), hits.end(), [](const auto& hit) { return pipeline::can_be_accepted(hit); });
+  return {(pulses ? "no hit can be used, " : "no hit has a pulse of the force, ") + result};
 }
 
 std::string analysis_text(const pipeline::Analysis& analysis, const TextOptions& options) {
@@ -106,7 +112,7 @@ std::string analysis_text(const pipeline::Analysis& analysis, const TextOptions&
     if (modes) text += modes_text(analysis, wants(ReportSection::classes), options.width) + "\n";
     if (options.per_hit) text += per_hit_text(analysis, options.width) + "\n";
   } else {
-    const Message result = no_usable_hit();
+    const Message result = no_usable_hit(hits);
     const std::string words = options.write_option != nullptr ? result.written(options.write_option) : result.text;
     text += wrapped(words, options.width, 2) + "\n\n";
   }

@@ -1,6 +1,7 @@
 #pragma once
 #include <set>
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
 #include "pipeline/analysis.hpp"
@@ -17,8 +18,8 @@ struct TextOptions {
   OptionWriter write_option = nullptr;  // appends the options of warnings; nullptr leaves them out
 };
 
-/// The sentence that stands in place of the FRFs and modes where no hit can be used.
-Message no_usable_hit();
+/// The sentence that stands in place of the FRFs and modes where none of `hits` can be used.
+Message no_usable_hit(const std::vector<pipeline::AnalysedHit>& hits);
 
 /// The analysis as text: one line with the test's conditions, the hits, the modes with ±, then the warnings.
 std::string analysis_text(const pipeline::Analysis& analysis, const TextOptions& options = {});

@@ -155,7 +155,8 @@ std::string survey_text(const pipeline::Survey& survey, bool hits, std::size_t w
                         bool warnings) {
   std::set<ReportSection> sections{ReportSection::frf, ReportSection::coherence};
   if (hits || !survey.analysis().possible()) sections.insert(ReportSection::hits);
-  std::string text = analysis_text(survey.analysis(), {.sections = sections, .width = width, .warnings = false});
+  std::string text = analysis_text(
+      survey.analysis(), {.sections = sections, .width = width, .warnings = false, .write_option = write_option});
   if (survey.analysis().possible()) {
     text += "\n" + modes_text(survey, width) + "\n";
     if (!survey.shapes().empty()) text += scale_text(survey) + one_hit_text(survey.analysis());

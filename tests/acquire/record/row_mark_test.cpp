@@ -54,7 +54,7 @@ TEST(RecordFaults, AreReadFromFourNumbers) {
             (RecordFault{.kind = FaultKind::gap, .row = 2, .time_s = 0.5, .value = 200}));
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   for (const Numbers& wrong :
-       {Numbers{0, 0, 0, 0}, Numbers{10, 0, 0, 0}, Numbers{1.5, 0, 0, 0}, Numbers{1, 3, 0, 0}, Numbers{1, -2, 0, 0},
+       {Numbers{0, 0, 0, 0}, Numbers{11, 0, 0, 0}, Numbers{1.5, 0, 0, 0}, Numbers{1, 3, 0, 0}, Numbers{1, -2, 0, 0},
         Numbers{1, 0.5, 0, 0}, Numbers{1, 0, kNan, 0}, Numbers{1, 0, 0, kNan}, Numbers{kNan, 0, 0, 0}})
     EXPECT_FALSE(record_fault(wrong, 3).has_value()) << wrong[0] << " " << wrong[1];
 }

@@ -275,6 +275,21 @@ TEST_F(BatchCommand, FindsRecordsRelativeToItsManifest) {
   EXPECT_EQ(batch({"run", "--manifest", "there/m.jsonl", "-o", "out"}).code, 0);
 }
 
+TEST_F(BatchCommand, SaysWhereAllFailedRecordsStand) {
+  std::vector<std::string> words{"plan", "-o", "m.jsonl", "--quiet"};
+  for (int i = 0; i < 12; ++i) {
+    words.push_back("bad" + std::to_string(i) + ".csv");
+    test::write_bytes(folder_.file(words.back()), "no,record\n");
+  }
+  ASSERT_EQ(batch(words).code, 0);
+  const auto ran = run();
+  EXPECT_THAT(ran.err, HasSubstr("percuss: and 2 more; all of them, with their reasons, are the rows of "
+                                 "out/part-*.jsonl whose code is not 0\n"));
+  const auto merged = batch({"merge", "--manifest", "m.jsonl", "out", "-o", "all.csv"});
+  EXPECT_THAT(merged.err, HasSubstr("are the rows of all.csv whose code is not 0\n"));
+  EXPECT_EQ(lines_of(bytes_of(folder_.file("all.csv"))).size(), 13U) << "a heading and a row for each record";
+}
+
 TEST_F(BatchCommand, LeavesOutTextsOfAFolderThatHoldNoNumbers) {
   fs::create_directories(folder_.file("bats"));
   test::write_small_test(folder_.file("bats/x.csv"), R"("hits": 1)");

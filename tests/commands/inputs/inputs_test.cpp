@@ -49,6 +49,56 @@ TEST_F(Inputs, MayBeAFolderOrAQuotedPattern) {
   EXPECT_THAT(none.err, HasSubstr("no file matches the pattern (*.uff)"));
 }
 
+// Without the line, the later samples would come too early: the mode would be off by many standard deviations.
+TEST_F(Inputs, WithALostLineKeepTheirTime) {
+  const auto column = [&](std::vector<double> x) {
+    x.erase(x.begin() + 900, x.begin() + 903);
+    return x;
+  };
+  test::write_columns(file("lost.csv"), "time_s,force_N,accel_m_s2",
+                      {column(record_.time_s), column(record_.force_N), column(record_.accel_mps2)});
+  test::write_columns(file("whole.csv"), "time_s,force_N,accel_m_s2",
+                      {record_.time_s, record_.force_N, record_.accel_mps2});
+  ASSERT_EQ(run_percuss({"convert", file("lost.csv"), file("lost.h5")}).code, 0);
+  EXPECT_THAT(run_percuss({"convert", file("lost.csv"), file("lost.mat")}).err,
+              HasSubstr("not kept: which samples were lost"));
+  const double whole_Hz = first_mode_Hz(analyze({"whole.csv", "--json"}));
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"lost.csv"}, {"lost.csv", "--fs", "4096"}, {"lost.h5"}}) {
+    std::vector<std::string> command = words;
+    command.emplace_back("--json");
+    const auto outcome = analyze(command);
+    EXPECT_NEAR(first_mode_Hz(outcome), whole_Hz, 1e-4) << words.back();
+    EXPECT_THAT(outcome.out, HasSubstr(R"("code": "lost_samples")")) << words.back();
+    EXPECT_THAT(outcome.out, HasSubstr("hit 1 (3 samples, ")) << words.back();
+  }
+  const std::string path = file("lost.h5");
+  const auto twice =
+      run_percuss({"analyze", path, "--fs", "8192", "--band", "120:2000", "--effort", "quick", "--json"});
+  EXPECT_NEAR(first_mode_Hz(twice), 2 * whole_Hz, 2e-4) << "the place counts samples";
+  EXPECT_THAT(run_percuss({"info", file("lost.csv")}).out, HasSubstr("samples are missing: 3 at 0.2197"));
+}
+
+// One message for all: a user cleans the folder up once.
+TEST_F(Inputs, NameAllBadFilesOfAFolderAtOnce) {
+  test::write_small_test(file("a.h5"), R"("hits": 1)");
+  test::write_bytes(file("readme.txt"), "The bat was hung by two cords.\n");
+  test::write_bytes(file("bad1.csv"), "t_s,force_N,acc_g\n0,1,2\n");
+  const auto one = analyze({"."});
+  EXPECT_EQ(one.code, 3);
+  EXPECT_THAT(one.err, HasSubstr("fewer than two samples (./bad1.csv: line 2)"));
+  for (int i = 2; i <= 7; ++i) test::write_bytes(file("bad" + std::to_string(i) + ".h5"), "\x89HDF\r\n\x1a\n");
+  const auto all = analyze({"."});
+  EXPECT_EQ(all.code, 3);
+  EXPECT_EQ(test::lines_of(all.err).size(), 1U);
+  EXPECT_THAT(all.err, testing::StartsWith("percuss: 7 of 9 files cannot be read: bad1.csv: fewer than two samples; "
+                                           "bad2.h5: "));
+  EXPECT_THAT(all.err, EndsWith("; and 2 more (.); move them elsewhere, or name the others by a pattern\n"));
+  EXPECT_THAT(all.err, Not(HasSubstr("readme")));
+  EXPECT_THAT(analyze({"a.h5", "bad1.csv", "bad2.h5"}).err, EndsWith("; leave them out\n"));
+  EXPECT_EQ(analyze({"a*.h5"}).code, 0);
+}
+
 TEST_F(Inputs, AcceptHitsAsRangesAndAll) {
   test::write_small_test(file("bat.h5"), R"("hits": 4)");
   const auto judged = [&](const std::vector<std::string>& options) {

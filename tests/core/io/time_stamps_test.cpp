@@ -113,6 +113,49 @@ TEST(RateOfTimeStamps, FindsEveryLostSample) {
   }
 }
 
+std::vector<StampGap> gaps_in(std::vector<double> t, const std::vector<std::size_t>& lost, double resolution_s,
+                              std::optional<double> fs_Hz = {}) {
+  for (auto at = lost.rbegin(); at != lost.rend(); ++at) t.erase(t.begin() + static_cast<std::ptrdiff_t>(*at));
+  return gaps_of_stamps({t, resolution_s}, fs_Hz);
+}
+
+TEST(GapsOfStamps, AreTheLostLines) {
+  const auto t = rounded_stamps(25600, 20000, 1e-7);
+  EXPECT_TRUE(gaps_in(t, {}, 1e-7).empty());
+  const auto gaps = gaps_in(t, {1, 500, 700, 701, 702}, 1e-7);
+  ASSERT_EQ(gaps.size(), 3U);
+  EXPECT_EQ(gaps[0].at, 1U);
+  EXPECT_EQ(gaps[0].count, 1U);
+  EXPECT_EQ(gaps[1].at, 499U);
+  EXPECT_EQ(gaps[2].at, 698U);
+  EXPECT_EQ(gaps[2].count, 3U);
+  std::vector<double> left = t;
+  left.erase(left.begin() + 500, left.begin() + 540);
+  const auto filled = with_missing_stamps(left, gaps_of_stamps({left, 1e-7}));
+  ASSERT_EQ(filled.size(), t.size());
+  for (std::size_t i = 0; i < t.size(); ++i) EXPECT_NEAR(filled[i], t[i], 1e-7);
+}
+
+TEST(GapsOfStamps, AreNoneWhereTheStepsAreNoWholeNumber) {
+  auto t = rounded_stamps(25600, 2000, 1e-7);
+  for (std::size_t i = 1000; i < t.size(); ++i) t[i] += 0.5 / 25600;
+  EXPECT_TRUE(gaps_of_stamps({t, 1e-7}).empty());
+  auto many = rounded_stamps(25600, 2000, 1e-7);
+  std::vector<std::size_t> third;
+  for (std::size_t i = 1; i + 1 < many.size(); i += 3) third.push_back(i);
+  EXPECT_TRUE(gaps_in(many, third, 1e-7).empty()) << "more than a tenth is missing";
+}
+
+// One step of two units among steps of one unit: a sample of 1000 Hz was lost, or the rate is just below.
+TEST(GapsOfStamps, NeedTheRateWhereTheDigitsAreFew) {
+  const auto t = rounded_stamps(1000, 5000, 1e-3);
+  EXPECT_TRUE(gaps_in(t, {700}, 1e-3).empty());
+  const auto gaps = gaps_in(t, {700}, 1e-3, 1000);
+  ASSERT_EQ(gaps.size(), 1U);
+  EXPECT_EQ(gaps[0].at, 700U);
+  EXPECT_TRUE(gaps_of_stamps({rounded_stamps(999.8, 5000, 1e-3), 1e-3}, 999.8).empty());
+}
+
 TEST(RateOfTimeStamps, RejectsTimeThatDoesNotRise) {
   std::string problem;
   EXPECT_FALSE(rate_of({0, 1e-3, 2e-3, 0, 1e-3, 2e-3}, 1e-3, &problem));

@@ -5,17 +5,21 @@
 namespace percuss::tools {
 namespace {
 
-// Finds the command and the word before the cursor. bash treats "=" as a word.
+// Finds the command and the word before the cursor. bash treats "=" as a word. The first word "help" asks for the help
+// of the command after it.
 constexpr const char* kBegin = R"(_percuss() {
   local current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}
   COMPREPLY=()
-  local command='' options='' values='' kind='' list='' head='' at
+  local command='' options='' values='' kind='' list='' head='' below='' begin=1 at
   if [[ $current == '=' ]]; then
     current=''
   elif [[ $before == '=' ]]; then
     before=${COMP_WORDS[COMP_CWORD - 2]}
   fi
-  for ((at = 1; at < COMP_CWORD; ++at)); do
+  if ((COMP_CWORD > 1)) && [[ ${COMP_WORDS[1]} == help ]]; then
+    begin=2
+  fi
+  for ((at = begin; at < COMP_CWORD; ++at)); do
     case "$command ${COMP_WORDS[at]}" in
 )";
 
@@ -28,6 +32,11 @@ constexpr const char* kCommands = R"(        command="${command:+$command }${COM
 
 // `options` is empty if the option before the cursor takes a value.
 constexpr const char* kEnd = R"(  esac
+  if ((begin == 2)); then
+    options=''
+    values=$below
+    kind=text
+  fi
   if [[ -n $options && $current == -* ]]; then
     values=$options
     kind=text
@@ -78,7 +87,7 @@ std::string command_case(const Declaration& all, const DeclaredCommand& command)
   for (const DeclaredOption& option : command.options)
     options.insert(options.end(), option.names.begin(), option.names.end());
   for (const DeclaredCommand* one : commands_of(all, command)) below.push_back(base_name(*one));
-  std::string words = below.empty() ? "" : fmt::format(" values='{}' kind=text", fmt::join(below, " "));
+  std::string words = below.empty() ? "" : fmt::format(" below='{}' values=$below kind=text", fmt::join(below, " "));
   if (!command.arguments.empty()) words = " " + values_of(command.arguments.front());
   const std::string values = value_cases(command);
   return fmt::format("    '{}')\n      options='{}'{}\n{} ;;\n", command.name, fmt::join(options, " "), words,

@@ -16,11 +16,11 @@ std::string fish_quoted(std::string_view text) {
   return out + "'";
 }
 
-// One function tests which command the words before the cursor choose; the other completes list values after a comma.
-constexpr const char* kFunctions = R"(function __percuss_command
-    set -l words (commandline -opc)
+// One function tests which command the words before the cursor choose, another which command's help they ask for or
+// which command they choose; the third completes list values after a comma.
+constexpr const char* kFunctions = R"(function __percuss_words
     set -l command
-    for word in $words[2..-1]
+    for word in $argv
         switch "$command $word"
             case {}
                 set -a command $word
@@ -28,7 +28,18 @@ constexpr const char* kFunctions = R"(function __percuss_command
                 break
         end
     end
-    test "$command" = "$argv"
+    echo "$command"
+end
+function __percuss_command
+    set -l words (commandline -opc)
+    test (__percuss_words $words[2..-1]) = "$argv"
+    and test "$words[2]" != help
+end
+function __percuss_group
+    set -l words (commandline -opc)
+    test "$words[2]" = help
+    and set -e words[2]
+    test (__percuss_words $words[2..-1]) = "$argv"
 end
 function __percuss_list
     set -l before (commandline -ct | string replace -r '^--[^=]*=' '' | string match -r '.*,')
@@ -76,8 +87,10 @@ std::string fish_completion(const Declaration& all) {
   for (const DeclaredCommand& command : all.commands) {
     const std::string here =
         fmt::format("complete -c {} -n {}", all.program, fish_quoted("__percuss_command " + command.name));
+    const std::string group =
+        fmt::format("complete -c {} -n {}", all.program, fish_quoted("__percuss_group " + command.name));
     for (const DeclaredCommand* one : commands_of(all, command))
-      out += here + " -a " + base_name(*one) + " -d " + fish_quoted(one->summary) + "\n";
+      out += group + " -a " + base_name(*one) + " -d " + fish_quoted(one->summary) + "\n";
     for (const DeclaredOption& argument : command.arguments) out += here + argument_line(argument) + "\n";
     for (const DeclaredOption& option : command.options) out += here + option_line(option) + "\n";
   }

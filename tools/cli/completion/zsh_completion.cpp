@@ -58,13 +58,17 @@ std::string argument_specs(const DeclaredCommand& command) {
   return out;
 }
 
-// A group passes the remaining words to the function of its command.
+// A group passes the remaining words to the function of its command. After the word help, only groups do so.
 std::string group_function(const Declaration& all, const DeclaredCommand& command, const std::string& specs) {
   std::string names, calls;
   for (const DeclaredCommand* one : commands_of(all, command)) {
     names += fmt::format("\n        '{}:{}'", base_name(*one), zsh_quoted(one->summary, ":\\"));
-    calls += fmt::format("\n        {}) {} && ret=0 ;;", base_name(*one), function_of(all, *one));
+    const char* const unless_help = one->is_group ? "" : "[[ -z ${percuss_help:-} ]] && ";
+    calls += fmt::format("\n        {}) {}{} && ret=0 ;;", base_name(*one), unless_help, function_of(all, *one));
   }
+  // The word help takes the place of the program's name.
+  if (command.name.empty())
+    calls += fmt::format("\n        help) local percuss_help=1; {} && ret=0 ;;", function_of(all, command));
   return fmt::format(R"({}() {{
   local context state state_descr line ret=1
   typeset -A opt_args

@@ -42,6 +42,14 @@ int status(const ResultFlags& flags) {
   return kOk;
 }
 
+// The file that holds the rows of records: HDF5 holds FRFs only.
+std::string file_of_rows(const ResultFlags& flags) {
+  const auto holds_rows = [](const std::string& path) { return path.ends_with(".jsonl") || path.ends_with(".csv"); };
+  const auto& paths = flags.output.paths;
+  const auto found = std::find_if(paths.begin(), paths.end(), holds_rows);
+  return found == paths.end() ? part_files(flags.folder) : *found;
+}
+
 int merge(const ResultFlags& flags) {
   check_outputs(flags.output, {".jsonl", ".csv", ".h5", ".hdf5"});
   if (flags.output.paths.empty())
@@ -66,7 +74,7 @@ int merge(const ResultFlags& flags) {
   if (!flags.output.quiet) {
     ProblemList failed("failed");
     for (const batch::FailedRecord& record : merged.first_failed) failed.add(record.id, record.reason);
-    failed.finish(merged.failed);
+    failed.finish(merged.failed, place_of_failed(file_of_rows(flags)));
   }
   return merged.failed > 0 ? kPartial : kOk;
 }

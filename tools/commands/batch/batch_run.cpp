@@ -115,13 +115,14 @@ void print(const RunFlags& flags, const std::vector<batch::ShardOutcome>& outcom
                            open > 0 ? fmt::format("; {} left open", open) : "");
 }
 
-void print_failed_records(const batch::Manifest& manifest, const std::vector<batch::ShardOutcome>& outcomes) {
+void print_failed_records(const RunFlags& flags, const batch::Manifest& manifest,
+                          const std::vector<batch::ShardOutcome>& outcomes) {
   ProblemList failed("failed");
   for (const batch::ShardOutcome& outcome : outcomes) {
     for (const batch::RecordProblem& record : outcome.failed)
       failed.add(manifest.record(record.index).id, record.reason);
   }
-  failed.finish(failed.size());
+  failed.finish(failed.size(), place_of_failed(part_files(flags.folder)));
 }
 
 void print_open_records(const batch::Manifest& manifest, const std::vector<batch::ShardOutcome>& outcomes) {
@@ -190,7 +191,7 @@ int run_shards(const RunFlags& flags) {
   }
   progress.stop();
   print(flags, outcomes);
-  if (!flags.quiet) print_failed_records(manifest, outcomes);
+  if (!flags.quiet) print_failed_records(flags, manifest, outcomes);
   print_open_records(manifest, outcomes);
   return open > 0 || failed > 0 ? kPartial : kOk;
 }

@@ -4,14 +4,20 @@
 
 namespace percuss::tools {
 
+/// "results/part-*.jsonl": the files with the rows of a folder of results.
+std::string part_files(const std::string& folder);
+
+/// Where all failed records stand: "all of them, with their reasons, are the rows of FILE whose code is not 0".
+std::string place_of_failed(const std::string& file);
+
 /// Names the first records with a problem on standard error, a line each, and counts the others.
 class ProblemList {
  public:
   /// `what` happened: failed, is left open.
   explicit ProblemList(const char* what) : what_(what) {}
   void add(const std::string& id, const std::string& reason);
-  /// Says how many of `total` records were not named.
-  void finish(std::size_t total) const;
+  /// Says how many of `total` records were not named, and where they stand: `where` ends the line, if there is one.
+  void finish(std::size_t total, const std::string& where = "") const;
   std::size_t size() const { return size_; }
 
  private:

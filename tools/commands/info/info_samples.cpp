@@ -1,12 +1,16 @@
 #include "commands/info/info_samples.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "acquire/channels/role_guess.hpp"
 #include "acquire/hits/hits.hpp"
+#include "acquire/record/sample_gap.hpp"
 #include "core/error.hpp"
+#include "core/io/counted_words.hpp"
 #include "core/units.hpp"
 
 namespace percuss::tools {
@@ -108,6 +112,15 @@ RecordSamples samples_of(const acquire::Record& record) {
 
 std::vector<Message> notes_of(const acquire::Record& record, const RecordSamples& samples) {
   std::vector<Message> notes = record.notes;
+  constexpr std::size_t kMaxGaps = 5;  // in a note
+  if (const auto gaps = acquire::gaps_of(record); !gaps.empty()) {
+    const std::string list = limited_list(gaps.size(), kMaxGaps, [&](std::size_t g) {
+      const acquire::SampleGap& gap = gaps[g];
+      return fmt::format("{} at {:.6g} s of row {}", gap.count, static_cast<double>(gap.first) / record.fs_Hz,
+                         gap.row + 1);
+    });
+    notes.emplace_back("the times show that samples are missing: " + list);
+  }
   if (samples.problem) return notes;  // the channels were not compared
   if (samples.partial) notes.emplace_back("a long record: rms, peak and picture are those of its beginning");
   for (const Channel& channel : samples.channels) {

@@ -91,14 +91,20 @@ SetNames take_set_names(const InputHdf5& file, ReadOptions& options) {
   return names;
 }
 
+// The rate of the file itself, if it states a usable one.
+std::optional<double> own_rate_Hz(const InputHdf5& file) {
+  try {
+    if (const auto own = hdf5::number_attribute(file.id(), "fs", file.path(), 1)) return own->front();
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 double read_rate_Hz(const OpenRecord& open, const ReadOptions& options, std::vector<Message>& notes) {
   const InputHdf5& file = open.file;
   if (options.fs_Hz) {
-    try {
-      if (const auto own = hdf5::number_attribute(file.id(), "fs", file.path(), 1))
-        note_other_rate("the file", own->front(), *options.fs_Hz, notes);
-    } catch (const InputError&) {  // the stated rate replaces an unusable one
-    }
+    if (const auto own_Hz = own_rate_Hz(file)) note_other_rate("the file", *own_Hz, *options.fs_Hz, notes);
     return checked_rate_Hz(*options.fs_Hz, "the rate stated");
   }
   std::vector<std::pair<hdf5::Id, std::string>> places{{file.id(), file.path() + ": attribute fs"},
@@ -179,6 +185,14 @@ void describe_rows(const OpenRecord& open, Record& record) {
   const auto continuous = hdf5::number_attribute(file.id(), "continuous", file.path(), 1);
   record.continuous =
       continuous ? continuous->front() != 0 : !(open.force ? open.layout.force_has_rows : open.layout.accel_has_rows);
+}
+
+// Missing samples keep their numbers, whatever rate the user states.
+void keep_missing_samples(const InputHdf5& file, Record& record) {
+  const auto own_Hz = own_rate_Hz(file);
+  for (RecordFault& fault : record.faults) {
+    if (own_Hz && fault.kind == FaultKind::missing_samples) fault.time_s *= *own_Hz / record.fs_Hz;
+  }
 }
 
 void note_unused(const InputHdf5& file, const SetNames& used, Record& record) {
@@ -280,6 +294,7 @@ Record open_hdf5(const std::string& path, const ReadOptions& stated) {
   record.fs_Hz = read_rate_Hz(*opened, options, record.notes);
   describe_signals(*opened, options, record);
   describe_rows(*opened, record);
+  if (options.fs_Hz) keep_missing_samples(opened->file, record);
   record.geometry = hdf5::read_geometry(opened->file);
   record.trace_lines = hdf5::read_trace_lines(opened->file, record.geometry.size());
   record.trace_faces = hdf5::read_trace_faces(opened->file, record.geometry.size());

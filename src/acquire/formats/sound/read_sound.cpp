@@ -33,6 +33,12 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
   table.fs_Hz = sound.rate_Hz();
   table.rows.push_back({.samples = sound.frames()});
   table.continuous = true;
+  if (const auto whole = sound.frames_of_whole_file()) {
+    const double fs_Hz = sound.rate_Hz();
+    table.notes.emplace_back(fmt::format(
+        "the file ends early: it holds {:.4g} of the {:.4g} s that its header states; copy or record it again",
+        static_cast<double>(sound.frames()) / fs_Hz, static_cast<double>(*whole) / fs_Hz));
+  }
   for (std::size_t c = 0; c < sound.channels(); ++c) {
     table.signals.push_back({.name = fmt::format("channel {}", c + 1)});
     // When the user names the force, the other channels are accelerations.

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "acquire/formats/sound/sound_length.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 
@@ -87,6 +88,13 @@ SoundInput::~SoundInput() = default;
 std::size_t SoundInput::channels() const { return static_cast<std::size_t>(impl_->info.channels); }
 std::size_t SoundInput::frames() const { return static_cast<std::size_t>(impl_->info.frames); }
 int SoundInput::rate_Hz() const { return impl_->info.samplerate; }
+
+std::optional<std::uint64_t> SoundInput::frames_of_whole_file() const {
+  const auto bytes = stated_sample_bytes(impl_->path);
+  if (!bytes) return std::nullopt;
+  const std::uint64_t frames = *bytes / (sample_bytes(impl_->info.format) * channels());
+  return frames > this->frames() ? std::optional(frames) : std::nullopt;
+}
 
 std::string SoundInput::format() const {
   const int type = impl_->info.format & SF_FORMAT_TYPEMASK;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <string_view>
 
@@ -61,33 +62,75 @@ void end_row(std::vector<CsvRow>& rows, std::size_t line) {
 
 [[noreturn]] void refuse_stamps(const CsvTable& table, std::size_t index, const std::vector<CsvRow>& rows,
                                 const StampProblem& problem) {
-  const std::size_t line = rows[problem.row].first_line + problem.at;
-  if (problem.rates_differ)
-    throw InputError(problem.text, table.place(line, index),
-                     "give the hits of each sampling rate in files of their own");
-  throw InputError(problem.text, table.place(line, index), "state the sampling rate: the time column is then not used",
-                   {"fs"});
+  const std::string place = table.place(rows[problem.row].first_line + problem.at, index);
+  if (problem.kind == StampProblemKind::rates_differ)
+    throw InputError(problem.text, place, "give the hits of each sampling rate in files of their own");
+  if (problem.kind == StampProblemKind::jump) {
+    throw InputError(problem.text, place,
+                     "samples seem lost: write the time with more digits, or delete the lines on the side of the jump "
+                     "that lacks the hit");
+  }
+  throw InputError(problem.text, place, "state the sampling rate: the time column is then not used", {"fs"});
 }
 
+// The stamps of each row. They refer to `times`.
 // errors  InputError: a line has no time
-std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvTimes& times, const std::vector<CsvRow>& rows,
-                                        StampProblem& problem) {
+std::vector<TimeStamps> stamps_of(const CsvTable& table, const CsvTimes& times, const std::vector<CsvRow>& rows) {
   if (times.problem) throw InputError(*times.problem);
   // Stamps may lack trailing zeros. Of the last 64, the one with the most decimals shows the rounding.
   constexpr std::size_t kLast = 64;
   std::vector<int> decimals(rows.size(), -400);  // the fewest that decimals_of() returns
   std::size_t row = 0;
   table.for_each_cell(times.column.index, [&](std::size_t line, std::string_view cell) {
-    while (line >= rows[row].first_line + rows[row].info.samples) ++row;
-    if (line + kLast >= rows[row].first_line + rows[row].info.samples)
+    while (line >= rows[row].first_line + rows[row].lines()) ++row;
+    if (line + kLast >= rows[row].first_line + rows[row].lines())
       decimals[row] = std::max(decimals[row], times.decimals(cell));
   });
   std::vector<TimeStamps> stamps;
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    stamps.push_back({std::span(times.time_s).subspan(rows[r].first_line, rows[r].info.samples),
+    stamps.push_back({std::span(times.time_s).subspan(rows[r].first_line, rows[r].lines()),
                       times.to_s * std::pow(10.0, -decimals[r])});
   }
-  return rate_of_time_stamps(stamps, problem);
+  return stamps;
+}
+
+using RowGaps = std::vector<std::vector<StampGap>>;  // [rows]
+
+RowGaps gaps_of_rows(const std::vector<TimeStamps>& stamps, std::optional<double> fs_Hz) {
+  RowGaps gaps;
+  for (const TimeStamps& row : stamps) gaps.push_back(gaps_of_stamps(row, fs_Hz));
+  return gaps;
+}
+
+// Adds the missing samples to the rows.
+void add_gaps(const RowGaps& gaps, std::vector<CsvRow>& rows) {
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    std::size_t missing = 0;
+    for (const StampGap& gap : gaps[r]) {
+      rows[r].gaps.push_back({.first = gap.at + missing, .count = gap.count});
+      missing += gap.count;
+    }
+    rows[r].info.samples += missing;
+  }
+}
+
+// The rate of the stamps. Where only gaps make them uneven, the rows gain these gaps.
+// errors  InputError: a line has no time
+std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvTimes& times, std::vector<CsvRow>& rows,
+                                        StampProblem& problem) {
+  std::vector<TimeStamps> stamps = stamps_of(table, times, rows);
+  auto rate = rate_of_time_stamps(stamps, problem);
+  if (rate) return rate;
+  const RowGaps gaps = gaps_of_rows(stamps, {});
+  std::vector<std::vector<double>> filled(rows.size());
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    filled[r] = with_missing_stamps(stamps[r].time_s, gaps[r]);
+    stamps[r].time_s = filled[r];
+  }
+  StampProblem of_filled;
+  rate = rate_of_time_stamps(stamps, of_filled);
+  if (rate) add_gaps(gaps, rows);
+  return rate;
 }
 
 // The rate from header and time column. Prefers the exact rate of the header if the rounded stamps allow it.
@@ -115,7 +158,7 @@ double header_rate_Hz(const CsvHeader& header, const std::string& file) {
 }
 
 // The rate from times of day; from the header where they give none, for instance in whole seconds.
-double clock_rate_Hz(const CsvTable& table, const CsvTimes& times, const std::vector<CsvRow>& rows,
+double clock_rate_Hz(const CsvTable& table, const CsvTimes& times, std::vector<CsvRow>& rows,
                      const std::string& file, std::vector<Message>& notes) {
   const CsvHeader& header = table.header();
   StampProblem problem;
@@ -133,8 +176,8 @@ double clock_rate_Hz(const CsvTable& table, const CsvTimes& times, const std::ve
 
 // Whether the times never fall within the row.
 bool keeps_rising(const CsvTimes& times, const CsvRow& row) {
-  if (times.time_s.size() < row.first_line + row.info.samples) return true;  // not known
-  const auto t = std::span(times.time_s).subspan(row.first_line, row.info.samples);
+  if (times.time_s.size() < row.first_line + row.lines()) return true;  // not known
+  const auto t = std::span(times.time_s).subspan(row.first_line, row.lines());
   return std::is_sorted(t.begin(), t.end());
 }
 
@@ -142,14 +185,14 @@ bool keeps_rising(const CsvTimes& times, const CsvRow& row) {
 // row state no rate.
 void note_other_times(const CsvTable& table, const CsvColumns& columns, const std::optional<CsvTimes>& times,
                       const std::vector<CsvRow>& rows, double fs_Hz, std::vector<Message>& notes) {
-  if (!columns.time || rows.front().info.samples < 2) return;
+  if (!columns.time || rows.front().lines() < 2) return;
   if (times && !keeps_rising(*times, rows.front())) return;
   const auto to_s = s_per_unit(columns.time->unit);
   const auto time_at = [&](std::size_t line) {
     return parse_number(table.cell(columns.time->index, line), table.dialect().decimal_comma);
   };
   const auto first = time_at(rows.front().first_line);
-  const auto last = time_at(rows.front().first_line + rows.front().info.samples - 1);
+  const auto last = time_at(rows.front().first_line + rows.front().lines() - 1);
   if (!to_s || first.problem != NumberProblem::none || last.problem != NumberProblem::none) return;
   const double length_s = (last.value - first.value) * *to_s;
   if (!(length_s > 0)) return;
@@ -158,6 +201,11 @@ void note_other_times(const CsvTable& table, const CsvColumns& columns, const st
 }
 
 }  // namespace
+
+std::size_t CsvRow::lines() const {
+  return std::accumulate(gaps.begin(), gaps.end(), info.samples,
+                         [](std::size_t left, const CsvGap& gap) { return left - gap.count; });
+}
 
 std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& columns) {
   const std::array<const std::optional<CsvColumn>*, 3> sources = {&columns.hit, &columns.point, &columns.run};
@@ -190,8 +238,11 @@ std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& colum
 }
 
 double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::optional<CsvTimes>& times,
-                        const std::vector<CsvRow>& rows, const ReadOptions& options, std::vector<Message>& notes) {
+                        std::vector<CsvRow>& rows, const ReadOptions& options, std::vector<Message>& notes) {
   if (options.fs_Hz) {
+    // A column that holds no times does not matter: the stated rate replaces it.
+    if (times && times->kind == CsvTimeKind::named && !times->problem)
+      add_gaps(gaps_of_rows(stamps_of(table, *times, rows), options.fs_Hz), rows);
     note_other_times(table, columns, times, rows, *options.fs_Hz, notes);
     return checked_rate_Hz(*options.fs_Hz, "the rate stated");
   }

@@ -11,10 +11,19 @@
 
 namespace percuss::acquire {
 
-/// One row of a record in a text file: lines first_line … first_line + info.samples − 1 of the data.
+/// Samples of a row that its file lacks: `count` samples from sample `first` of the row on.
+struct CsvGap {
+  std::size_t first = 0, count = 0;
+};
+
+/// One row of a record in a text file: the lines first_line … first_line + lines() − 1 of the data, which are the
+/// samples outside the gaps.
 struct CsvRow {
   RowInfo info;
   std::size_t first_line = 0;
+  std::vector<CsvGap> gaps{};  // ascending, never at either end
+
+  std::size_t lines() const;
 };
 
 /// Divides the lines into rows by the columns hit, point and run that exist: a row ends where one of them changes.
@@ -23,10 +32,11 @@ struct CsvRow {
 std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& columns);
 
 /// The sampling rate: the user's, else from the times and the header, which must agree. Times of day that give no
-/// rate, such as whole seconds, leave it to the header. Adds assumptions to `notes`.
+/// rate, such as whole seconds, leave it to the header. Where the times show that lines were lost, the rows gain gaps
+/// and the missing samples (gaps_of_stamps()). Adds assumptions to `notes`.
 /// errors  InputError: no rate is stated, two rates disagree (also of two rows), time stamps are uneven or coarse, the
 /// rate is implausible.
 double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::optional<CsvTimes>& times,
-                        const std::vector<CsvRow>& rows, const ReadOptions& options, std::vector<Message>& notes);
+                        std::vector<CsvRow>& rows, const ReadOptions& options, std::vector<Message>& notes);
 
 }  // namespace percuss::acquire

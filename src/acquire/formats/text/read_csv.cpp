@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <functional>
@@ -19,6 +20,7 @@
 #include "acquire/formats/text/csv_table.hpp"
 #include "acquire/formats/text/csv_times.hpp"
 #include "acquire/formats/text/read_frf_text.hpp"
+#include "acquire/record/sample_gap.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
 
@@ -89,20 +91,26 @@ void divide_rows(OpenCsv& open, const CsvColumns& columns, const std::optional<C
       information(fmt::format("the file is read as {} captures: {} between them", open.rows.size(), mark)));
 }
 
-void describe_rows(const OpenCsv& open, Record& record) {
+void require_samples(const OpenCsv& open) {
   for (const auto& row : open.rows) {
     if (row.info.samples < 2) {
       throw InputError("fewer than two samples", open.table.place(row.first_line),
                        "record for longer, or delete the line");
     }
+  }
+}
+
+void describe_rows(const OpenCsv& open, Record& record) {
+  for (const auto& row : open.rows) {
+    for (const CsvGap& gap : row.gaps) {
+      const SampleGap its{.row = record.rows.size(), .first = gap.first, .count = gap.count};
+      record.faults.push_back(fault_of(its, record.fs_Hz));
+    }
     record.rows.push_back(row.info);
   }
 }
 
-void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, double to_SI, std::size_t first,
-                 std::span<double> out) {
-  assert(row < open.rows.size() && first + out.size() <= open.rows[row].info.samples);
-  const std::size_t line = open.rows[row].first_line + first;
+void read_lines(const OpenCsv& open, std::size_t column, double to_SI, std::size_t line, std::span<double> out) {
   open.table.read(column, line, out);
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i] *= to_SI;
@@ -111,6 +119,33 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
                        "correct the number or the scale");
     }
   }
+}
+
+void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, double to_SI, std::size_t first,
+                 std::span<double> out) {
+  assert(row < open.rows.size() && first + out.size() <= open.rows[row].info.samples);
+  const CsvRow& its = open.rows[row];
+  const std::size_t last = first + out.size();
+  std::size_t at = first, missing = 0;  // samples that the gaps before `at` lack
+  const auto read_until = [&](std::size_t end) {
+    if (at >= end) return;
+    read_lines(open, column, to_SI, its.first_line + at - missing, out.subspan(at - first, end - at));
+    at = end;
+  };
+  for (const CsvGap& gap : its.gaps) {
+    const std::size_t gap_end = gap.first + gap.count;
+    if (gap.first >= last) break;
+    if (gap_end > first) {
+      read_until(gap.first);
+      std::array<double, 2> beside{};
+      read_lines(open, column, to_SI, its.first_line + gap.first - 1 - missing, beside);
+      const double step = (beside[1] - beside[0]) / static_cast<double>(gap.count + 1);
+      for (; at < std::min(gap_end, last); ++at)
+        out[at - first] = beside[0] + static_cast<double>(at - gap.first + 1) * step;
+    }
+    missing += gap.count;
+  }
+  read_until(last);
 }
 
 constexpr std::size_t kRisingSamples = 256;  // enough to tell frequencies from a signal
@@ -207,8 +242,9 @@ Record open_csv(const FileBytes& bytes, const ReadOptions& options) {
   open->rows = find_csv_rows(open->table, columns);
   const std::optional<CsvTimes> times = read_csv_times(open->table, columns);
   divide_rows(*open, columns, times, record);
-  describe_rows(*open, record);
+  require_samples(*open);
   record.fs_Hz = find_csv_rate_Hz(open->table, columns, times, open->rows, options, record.notes);
+  describe_rows(*open, record);
   record.read_force_N = [open](std::size_t row, std::size_t first, std::span<double> out) {
     read_scaled(*open, row, open->force_column, open->force_to_N, first, out);
   };

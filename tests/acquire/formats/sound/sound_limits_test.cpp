@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -67,6 +68,39 @@ TEST_F(SoundLimits, AnyScaleOptionRemovesTheNoteOnFullScale) {
   EXPECT_FALSE(has_note({.force_unit = "N"}));
   EXPECT_FALSE(has_note({.accel_unit = "g"}));
   EXPECT_FALSE(has_note({.setup = {{.name = "channel 1", .sign = -1}}}));
+}
+
+// A copy that stopped: the header states more samples than follow.
+TEST_F(SoundLimits, AFileThatEndsEarlyIsNamed) {
+  const auto early = [&](const std::string& bytes) {
+    const auto notes = test::texts(opened(bytes, {.force_channel = "1"}).notes);
+    const auto says = [](const std::string& note) { return note.starts_with("the file ends early: "); };
+    const auto at = std::find_if(notes.begin(), notes.end(), says);
+    return at == notes.end() ? "" : *at;
+  };
+  std::string samples;
+  for (int frame = 0; frame < 1000; ++frame) samples += samples_.substr(0, 2);
+  const std::string whole = wav(samples);
+  EXPECT_EQ(early(whole), "");
+  EXPECT_THAT(early(whole.substr(0, 44 + 780)), HasSubstr("it holds 0.39 of the 1 s that its header states"));
+  EXPECT_EQ(early(wav(samples, "LIST" + number(4, 4) + "abcd")), "") << "a chunk behind the samples";
+  // A program that writes to a pipe does not know the length.
+  for (const std::uint32_t unknown : {0x7FFFFFDBU, 0xFFFFFFFFU}) {
+    std::string stream = whole;
+    stream.replace(40, 4, number(unknown, 4));
+    EXPECT_EQ(early(stream), "") << unknown;
+  }
+  for (const SoundKind kind : {SoundKind::rf64, SoundKind::w64}) {
+    {
+      SoundOutput out(path_, true, kind, 2, 1000, {}, std::nullopt);
+      out.append(std::vector<double>(2000, 0.25));
+      out.commit();
+    }
+    const std::string bytes = test::bytes_of(path_);
+    EXPECT_EQ(early(bytes), "");
+    EXPECT_THAT(early(bytes.substr(0, bytes.size() - 8000)), HasSubstr("it holds 0.5 of the 1 s"))
+        << bytes.substr(0, 4);
+  }
 }
 
 TEST_F(SoundLimits, ChunksThatClaimMoreThanTheFileAreRefused) {

@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
+
+#include "acquire/record/sample_gap.hpp"
 #include "support/files/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
@@ -125,12 +129,69 @@ TEST(CsvRate, AsksForTheUnitWhereSecondsGiveALowRate) {
 }
 
 TEST(CsvRate, NamesTheLineWhereTimeIsUneven) {
-  EXPECT_THAT(
-      input_error_of([] { csv_record("t_s,force_N,acc_g\n0,1,2\n0.1,1,2\n0.2,1,2\n0.4,1,2\n0.5,1,2\n0.6,1,2\n"); }),
-      HasSubstr("uneven time: a step of 0.2 s where 0.1 s is usual (x.csv: line 5, column 1 (t_s)); state the sampling "
-                "rate"));
+  const auto uneven = [] { csv_record("t_s,force_N,acc_g\n0,1,2\n0.1,1,2\n0.2,1,2\n0.4,1,2\n0.5,1,2\n0.6,1,2\n"); };
+  EXPECT_THAT(input_error_of(uneven),
+              AllOf(HasSubstr("uneven time: a step of 0.2 s where 0.1 s is usual (x.csv: line 5, column 1 (t_s))"),
+                    HasSubstr("samples seem lost")));
+  EXPECT_THAT(test::options_of_error(uneven), IsEmpty()) << "a stated rate would shift the samples behind the gap";
+  EXPECT_THAT(input_error_of([] { csv_record("t_s,force_N,acc_g\n0,1,2\n0.11,1,2\n0.2,1,2\n0.32,1,2\n0.4,1,2\n"); }),
+              HasSubstr("state the sampling rate: the time column is then not used"));
   EXPECT_THAT(input_error_of([] { csv_record("t_s,force_N,acc_g\n0,1,2\n,1,2\n0.2,1,2\n"); }),
               HasSubstr("the time is empty (x.csv: line 3"));
+}
+
+/// Lines 1 ms apart with forces 0, 1, 2, … and accelerations in the other direction; without those that are `lost`.
+std::string lines_without(const std::vector<int>& lost) {
+  std::string text = "t_s,force_N,acc_m_s2\n";
+  for (int i = 0; i < 60; ++i) {
+    if (std::find(lost.begin(), lost.end(), i) == lost.end()) text += fmt::format("{:.5f},{},{}\n", i * 1e-3, i, -i);
+  }
+  return text;
+}
+
+TEST(CsvGaps, KeepTheTimeOfLaterSamples) {
+  for (const std::optional<double> fs_Hz : {std::optional<double>(), std::optional<double>(1000)}) {
+    const Record record = csv_record(lines_without({10, 30, 31, 32}), {.fs_Hz = fs_Hz});
+    EXPECT_EQ(record.fs_Hz, 1000);
+    EXPECT_EQ(record.rows.at(0).samples, 60U);
+    const std::vector<SampleGap> gaps = gaps_of(record);
+    ASSERT_EQ(gaps.size(), 2U);
+    EXPECT_EQ(gaps[0].first, 10U);
+    EXPECT_EQ(gaps[0].count, 1U);
+    EXPECT_EQ(gaps[1].first, 30U);
+    EXPECT_EQ(gaps[1].count, 3U);
+    // A straight line takes the place of the lost samples, and these signals are straight lines.
+    for (std::size_t first : {0U, 10U, 11U, 31U, 40U}) {
+      for (std::size_t count = 1; first + count <= 60; ++count) {
+        std::vector<double> force(count), accel(count);
+        record.read_force_N(0, first, force);
+        record.read_accel_mps2(0, 0, first, accel);
+        for (std::size_t n = 0; n < count; ++n) {
+          ASSERT_NEAR(force[n], static_cast<double>(first + n), 1e-12);
+          ASSERT_NEAR(accel[n], -static_cast<double>(first + n), 1e-12);
+        }
+      }
+    }
+  }
+  EXPECT_THAT(gaps_of(csv_record(lines_without({}))), IsEmpty());
+}
+
+TEST(CsvGaps, BelongToTheirRow) {
+  std::string text = "hit,t_s,force_N,acc_m_s2\n";
+  for (int hit = 0; hit < 3; ++hit) {
+    for (int i = 0; i < 40; ++i) {
+      if (hit != 1 || i != 20) text += fmt::format("{},{:.5f},{},{}\n", hit, i * 1e-3, i, 2 * i);
+    }
+  }
+  const Record record = csv_record(text);
+  ASSERT_EQ(gaps_of(record).size(), 1U);
+  EXPECT_EQ(gaps_of(record)[0].row, 1U);
+  const Record last = select_rows(record, [](const RowInfo& row) { return row.samples > 0; });
+  EXPECT_EQ(gaps_of(last).size(), 1U);
+  const Record joined = join_records({record, record}, FileGrouping::hits);
+  ASSERT_EQ(gaps_of(joined).size(), 2U);
+  EXPECT_EQ(gaps_of(joined)[1].row, 4U);
+  EXPECT_THAT(test::force_N(joined, 4), testing::SizeIs(40));
 }
 
 // Rows with times of day, `step_ms` apart, written in whole seconds or in milliseconds.

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "pipeline/hits/analysed_hit.hpp"
+#include "pipeline/hits/hit_gaps.hpp"
+#include "pipeline/warnings/warning.hpp"
+
+namespace percuss::pipeline {
+
+/// A gap in the samples of a hit, for lost_samples_warning().
+struct LostSamples {
+  std::size_t hit = 0;
+  std::size_t count = 0;
+  double after_s = 0;      // from the blow to the gap; 0: within the pulse or just beside it
+  bool predicted = false;  // samples predicted from both sides take their place
+};
+
+/// lost_samples: the times in the file show that samples are missing. `rest`: what happens where they cannot be
+/// predicted, as the end of a sentence. Nothing for an empty list.
+std::vector<Warning> lost_samples_warning(const std::vector<LostSamples>& lost, const std::string& rest);
+
+/// The same for the gaps of accepted hits of a test with a force.
+std::vector<Warning> closed_gap_warnings(const ClosedGaps& closed, const std::vector<AnalysedHit>& hits);
+
+}  // namespace percuss::pipeline
