@@ -182,9 +182,14 @@ std::optional<Unit> parse_unit(std::string_view name) {
 }
 
 Unit require_unit(std::string_view name, Quantity wanted, std::string_view where) {
+  return require_unit(name, wanted, where, {});
+}
+
+Unit require_unit(std::string_view name, Quantity wanted, std::string_view where,
+                  const std::vector<OptionId>& options) {
   const auto unit = parse_unit(name);
   const std::string remedy = "use " + examples(wanted);
-  if (!unit) throw InputError("unknown unit \"" + one_line(name, 40) + "\"", where, remedy);
+  if (!unit) throw InputError("unknown unit \"" + one_line(name, 40) + "\"", where, remedy, options);
   if (unit->quantity == Quantity::velocity && wanted == Quantity::acceleration) {
     throw InputError("\"" + one_line(name, 40) + "\" measures a velocity, not an acceleration", where,
                      "differentiate the velocities, or give FRFs of them as mobility");
@@ -195,7 +200,7 @@ Unit require_unit(std::string_view name, Quantity wanted, std::string_view where
   if (unit->quantity != wanted) {
     throw InputError(
         "\"" + one_line(name, 40) + "\" measures " + quantity_name(unit->quantity) + ", not " + quantity_name(wanted),
-        where, remedy);
+        where, remedy, options);
   }
   return *unit;
 }

@@ -23,6 +23,7 @@
 #include "pipeline/stages/earlier_ringing.hpp"
 #include "pipeline/stages/fit_quality.hpp"
 #include "pipeline/stages/hit_modes.hpp"
+#include "pipeline/stages/hit_residues.hpp"
 #include "pipeline/stages/mode_stages.hpp"
 #include "pipeline/warnings/point_names.hpp"
 #include "pipeline/warnings/warning.hpp"
@@ -113,6 +114,9 @@ class Analysis {
   const ChannelFindings& channel_findings() const;
   /// Each mode fitted to each accepted hit alone: repeatability, drift, dependence on the force.
   const std::vector<HitMode>& modes_per_hit() const;
+  /// The residues of modes() in each hit, [modes][hits], computed anew. Points are indices into frf_points(). Empty for
+  /// FRFs that were given, and for fewer than two hits that can be compared.
+  std::vector<std::vector<ModeInHit>> residues_per_hit() const;
   /// The stabilisation diagram of fitted_frfs(), poles within the band. The modes do not need it.
   const identify::Stabilisation& stabilisation() const;
   /// Warnings about the results computed so far, most serious first. Computes the hits' grades by force, if need be. If

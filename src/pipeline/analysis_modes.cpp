@@ -116,6 +116,21 @@ const std::vector<HitMode>& Analysis::modes_per_hit() const {
   });
 }
 
+std::vector<std::vector<ModeInHit>> Analysis::residues_per_hit() const {
+  const std::vector<identify::Mode>& within = modes();
+  if (given_frfs() != nullptr || within.empty()) return {};
+  std::vector<identify::Mode> all = margin_modes_;
+  all.insert(all.end(), within.begin(), within.end());
+  const TestSpectra from = spectra();
+  const std::vector<std::size_t> used = comparable_hits(from);
+  if (used.size() < 2) return {};
+  const ThreadLimit limit(options_.threads);
+  const identify::FrfDataset& set = fitted_frfs();
+  auto out = modes_in_hits(set, single_hits(set, from, used), with_point_indices(std::move(all), frf_points()));
+  if (!out.empty()) out.erase(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(margin_modes_.size()));
+  return out;
+}
+
 const identify::Stabilisation& Analysis::stabilisation() const {
   return within_budget(budget_, stabilisation_, [&] {
     const identify::FrfDataset& set = fitted_frfs();

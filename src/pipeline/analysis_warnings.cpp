@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <set>
 
 #include "pipeline/analysis.hpp"
@@ -33,6 +34,17 @@ void remove_consequences_of_window(std::vector<Warning>& warnings) {
   if (!windowed) return;
   std::erase_if(warnings,
                 [](const Warning& warning) { return warning.code == "not_at_rest" || warning.code == "hits_differ"; });
+}
+
+// The sensors whose ratios gave the modes their types; nothing where they have none.
+std::optional<identify::SensorPair> tube_sensors(const acquire::Record& record,
+                                                 const std::vector<identify::ModeClassification>& classifications) {
+  const bool typed = std::any_of(classifications.begin(), classifications.end(),
+                                 [](const identify::ModeClassification& mode) { return mode.ratio.has_value(); });
+  if (!typed) return std::nullopt;
+  std::vector<std::optional<double>> angles_rad;
+  for (const acquire::SignalInfo& accel : record.accel) angles_rad.push_back(accel.angle_rad);
+  return identify::pair_of_sensors(angles_rad);
 }
 
 }  // namespace
@@ -75,7 +87,12 @@ std::vector<Warning> Analysis::warnings() const {
   if (modes_.ready() && force_known) add(pretrigger_warnings(record(), graded, fitted_frfs()));
   if (responses_.ready() && options_.hits.gate_force) add(coupling_warnings(graded, band_Hz().first));
   add(rest_warnings(graded, earlier_ringing_.ready() ? earlier_ringing() : std::vector<EarlierRinging>{}));
-  if (modes_.ready()) add(channel_mode_warnings(record(), modes(), channel_findings(), force_known));
+  if (modes_.ready()) {
+    const SensorDirections sensors{
+        .angles_assumed = options_.classes.angles_assumed,
+        .tube = classifications_.ready() ? tube_sensors(record(), classifications()) : std::nullopt};
+    add(channel_mode_warnings(record(), modes(), channel_findings(), force_known, sensors));
+  }
   if (modes_.ready()) {
     add(freq_scatter_warnings(modes()));
     add(hit_scatter_warnings(modes()));
@@ -92,7 +109,11 @@ std::vector<Warning> Analysis::warnings() const {
   }
   if (classifications_.ready()) {
     add(object_warnings(classifications(), options_.classes));
-    add(tube_warnings(record(), modes(), classifications(), options_.classes, modes_are_complete()));
+    const auto of_tube = tube_warnings(record(), modes(), classifications(), options_.classes, modes_are_complete());
+    const auto is = [](const char* code) { return [code](const Warning& warning) { return warning.code == code; }; };
+    // The unit that differs is then the cause of the motion.
+    if (std::any_of(of_tube.begin(), of_tube.end(), is("units_differ"))) std::erase_if(out, is("implausible_motion"));
+    add(of_tube);
     add(split_mode_warnings(modes(), classifications()));
   }
   remove_consequences_of_window(out);

@@ -12,6 +12,7 @@
 #include "acquire/geometry/geometry.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "identify/shapes/scan_scatter.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -60,6 +61,59 @@ MeasuredPoints measured_points(const Analysis& analysis, const ScanPositions& po
         "repeat the hits there"));
   }
   return measured;
+}
+
+std::vector<std::size_t> modes_of_scan(const Analysis& analysis) {
+  std::vector<std::size_t> shown;
+  for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
+    if (analysis.classifications()[m].type != identify::ModeType::hoop) shown.push_back(m);
+  }
+  return shown;
+}
+
+// The amplitude of each hit of one mode, by points of the shape.
+std::vector<std::vector<identify::AmplitudeOfHit>> amplitudes_of(const Analysis& analysis, const identify::Mode& mode,
+                                                                 const std::vector<ModeInHit>& hits,
+                                                                 const MeasuredPoints& measured,
+                                                                 const identify::ScanShape& shape) {
+  const std::vector<int> points = analysis.frf_points();
+  const auto factors = identify::channel_factors(mode, measured.point, measured.position_m);
+  std::vector<std::vector<identify::AmplitudeOfHit>> out(shape.position_m.size());
+  for (const ModeInHit& hit : hits) {
+    const auto at = std::find(measured.point.begin(), measured.point.end(), points[hit.point]);
+    if (at == measured.point.end()) continue;
+    const double position_m = measured.position_m[static_cast<std::size_t>(at - measured.point.begin())];
+    const auto place = std::find(shape.position_m.begin(), shape.position_m.end(), position_m);
+    if (place == shape.position_m.end() || hit.residues.size() != factors.size()) continue;
+    identify::AmplitudeOfHit one{.power = hit.power};
+    double noise2 = 0;
+    for (const identify::HitResidue& residue : hit.residues) {
+      const Complex factor = factors[mode.residues[residue.residue].channel];
+      one.value += (factor * residue.value).real();
+      noise2 += std::norm(factor) * residue.std * residue.std;
+    }
+    one.std = std::hypot(std::sqrt(noise2), hit.relative_std * one.value);
+    out[static_cast<std::size_t>(place - shape.position_m.begin())].push_back(one);
+  }
+  return out;
+}
+
+// The shapes along the scan. Where the hits scatter about their places, the scatter of all points and modes together
+// gives the standard deviations: two or three hits do not tell the scatter of their own point.
+std::vector<identify::ScanShape> shapes_of(const Analysis& analysis, const std::vector<std::size_t>& shown,
+                                           const MeasuredPoints& measured) {
+  std::vector<identify::HitsAlongScan> modes;
+  const auto hits = analysis.residues_per_hit();
+  for (const std::size_t m : shown) {
+    const identify::Mode& mode = analysis.modes()[m];
+    modes.push_back({.shape = identify::shape_along(mode, measured.point, measured.position_m), .hits = {}});
+    if (m < hits.size()) modes.back().hits = amplitudes_of(analysis, mode, hits[m], measured, modes.back().shape);
+  }
+  const auto scatter = identify::scatter_along_scan(modes);
+  std::vector<identify::ScanShape> shapes;
+  for (const identify::HitsAlongScan& mode : modes)
+    shapes.push_back(scatter ? identify::with_scatter(mode, *scatter) : mode.shape);
+  return shapes;
 }
 
 // Distances of the points from the first one by the record's geometry; nothing where it does not place every point.
@@ -210,11 +264,12 @@ NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, do
                                                measured.point.size(), measured.point.size() == 1 ? " has" : "s have")},
                     "measure three positions or more"));
   }
-  for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
-    if (analysis.classifications()[m].type == identify::ModeType::hoop) continue;
-    const identify::Mode& mode = analysis.modes()[m];
-    ModeAlongScan along{.mode = m,
-                        .shape = identify::shape_along(mode, measured.point, measured.position_m),
+  const std::vector<std::size_t> shown = modes_of_scan(analysis);
+  const std::vector<identify::ScanShape> shapes = shapes_of(analysis, shown, measured);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const identify::Mode& mode = analysis.modes()[shown[i]];
+    ModeAlongScan along{.mode = shown[i],
+                        .shape = shapes[i],
                         .peak = peaks_of(analysis, mode, measured.point),
                         .nodes = {},
                         .minimum_m = {}};

@@ -5,8 +5,10 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "core/math/significance.hpp"
 #include "report/json/json_document.hpp"
 #include "report/json/or_null.hpp"
+#include "report/text/birge_text.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
@@ -45,6 +47,11 @@ Json beam_json(const model::UniformBeam& beam) {
           {"shear_stiffness_n", beam.shear_stiffness_N > 0 ? Json(beam.shear_stiffness_N) : Json()}};
 }
 
+// Whether the standard deviations of the fit follow from those of the frequencies.
+bool states_std(const BeamOrigin& origin) { return origin.fit && origin.measured.front().std_Hz > 0; }
+
+std::size_t degrees_of(const BeamOrigin& origin) { return origin.measured.size() - origin.fit->parameters.size(); }
+
 Json fit_json(const BeamOrigin& origin) {
   if (!origin.fit && !origin.torsion) return {};
   Json parameters = Json::array(), frequencies = Json::array();
@@ -63,9 +70,11 @@ Json fit_json(const BeamOrigin& origin) {
                              {"difference_percent", 100 * (origin.fit->model_Hz[i] / one.freq_Hz - 1)}});
     }
   }
-  return {{"parameters", parameters},
-          {"frequencies", frequencies},
-          {"at_limit", origin.fit.has_value() && origin.fit->at_limit}};
+  Json json{{"parameters", parameters},
+            {"frequencies", frequencies},
+            {"at_limit", origin.fit.has_value() && origin.fit->at_limit}};
+  if (states_std(origin)) json["birge_ratio"] = birge_ratio(origin.fit->chi2, static_cast<double>(degrees_of(origin)));
+  return json;
 }
 
 std::string parameter_text(model::BeamParameter which, double value, const std::optional<double>& std) {
@@ -83,6 +92,7 @@ ReportText fit_text(const BeamOrigin& origin) {
   if (!origin.fit) return text;
   for (const model::FittedParameter& one : origin.fit->parameters)
     text += "fitted: " + parameter_text(one.which, one.value, one.std);
+  if (states_std(origin)) text += birge_text(origin.fit->chi2, degrees_of(origin));
   if (origin.fit->at_limit)
     text += "the fitted spring acts like a pinned or a clamped end: its stiffness is not determined\n";
   TextTable table({{"mode", TextTable::Align::right},

@@ -4,7 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/math/significance.hpp"
 #include "report/json/json_document.hpp"
+#include "report/text/birge_text.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/version.hpp"
 
@@ -13,10 +15,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Measured frequencies less fitted values.
+std::size_t spare_frequencies(const FittedShell& fitted) {
+  const std::size_t values = (fitted.fit.young_std_Pa > 0 ? 1U : 0U) + (fitted.fit.wall_std_m > 0 ? 1U : 0U);
+  return fitted.measured.size() - values;
+}
+
 Json fitted_json(const FittedShell& fitted) {
   const model::ShellFit& fit = fitted.fit;
-  Json json{{"young_pa", fit.shell.young_Pa}, {"young_std_pa", fit.young_std_Pa}, {"wall_m", fit.shell.wall_m},
-            {"wall_std_m", fit.wall_std_m},   {"correlation", fit.correlation},   {"chi2", fit.chi2},
+  Json json{{"young_pa", fit.shell.young_Pa},
+            {"young_std_pa", fit.young_std_Pa},
+            {"wall_m", fit.shell.wall_m},
+            {"wall_std_m", fit.wall_std_m},
+            {"correlation", fit.correlation},
+            {"chi2", fit.chi2},
+            {"birge_ratio", birge_ratio(fit.chi2, static_cast<double>(spare_frequencies(fitted)))},
             {"points", Json::array()}};
   for (std::size_t i = 0; i < fitted.measured.size(); ++i) {
     const model::MeasuredHoop& hoop = fitted.measured[i];
@@ -34,7 +47,8 @@ std::string fitted_text(const FittedShell& fitted) {
   return fmt::format("fit: E = {} GPa, wall {} mm, correlation {:.4f}, chi2 {:.2f} of {} frequencies\n",
                      value_with_std(fit.shell.young_Pa / 1e9, fit.young_std_Pa / 1e9),
                      value_with_std(1000 * fit.shell.wall_m, 1000 * fit.wall_std_m), fit.correlation, fit.chi2,
-                     fitted.measured.size());
+                     fitted.measured.size()) +
+         birge_text(fit.chi2, spare_frequencies(fitted));
 }
 
 }  // namespace

@@ -38,6 +38,11 @@ StructureName name_of(model::StructureParameter which) {
 
 const char* kind_name(model::ProfileKind kind) { return kind == model::ProfileKind::slices ? "slices" : "points"; }
 
+// Whether the standard deviations of the fit follow from those of the frequencies.
+bool gives_std(const StructureOrigin& origin) { return origin.fit && origin.measured.front().std_Hz > 0; }
+
+std::size_t spare_of(const StructureOrigin& origin) { return origin.measured.size() - origin.fit->parameters.size(); }
+
 Json structure_fit_json(const StructureOrigin& origin) {
   if (!origin.fit) return {};
   Json parameters = Json::array(), frequencies = Json::array();
@@ -53,7 +58,9 @@ Json structure_fit_json(const StructureOrigin& origin) {
                            {"model_hz", model_Hz},
                            {"difference_percent", 100 * (model_Hz / one.freq_Hz - 1)}});
   }
-  return {{"parameters", parameters}, {"frequencies", frequencies}};
+  Json json{{"parameters", parameters}, {"frequencies", frequencies}};
+  if (gives_std(origin)) json["birge_ratio"] = birge_ratio(origin.fit->chi2, static_cast<double>(spare_of(origin)));
+  return json;
 }
 
 std::vector<model::ProfileWarning> warnings_of(const model::BeamStructure& structure, const StructureOrigin& origin,
@@ -91,6 +98,7 @@ void add_fit_text(const StructureOrigin& origin, ReportText& text) {
                     : fmt::format("fitted: {} {:.6g} {} (no ±: no more frequencies than unknowns)\n", name.name,
                                   one.value / name.per_unit, name.unit);
   }
+  if (gives_std(origin)) text += birge_text(origin.fit->chi2, spare_of(origin));
   TextTable table({{"mode", TextTable::Align::right},
                    {"measured", TextTable::Align::right},
                    {"model", TextTable::Align::right},

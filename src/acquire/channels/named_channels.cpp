@@ -11,6 +11,8 @@ namespace {
 
 bool is_force_name(const std::string& name) { return name == "force" || name == "/force"; }
 
+constexpr NamedSignal kForce{.is_force = true};
+
 // The channel, counted from 0, that a name or 1-based number stands for.
 std::optional<std::size_t> channel_named(std::string name, std::size_t channels) {
   if (name.starts_with('/')) name.erase(0, 1);
@@ -42,7 +44,95 @@ void check_setup(const ChannelSetup& entry, std::size_t channels, const std::str
   if (!fits) throw InputError("role " + entry.role + " for the " + own, where, "give the role " + own);
 }
 
+// The signal of a name; nothing where there is none.
+std::optional<NamedSignal> signal_named(const std::string& name, std::size_t channels, bool has_force) {
+  if (is_force_name(name)) return has_force ? std::optional(kForce) : std::nullopt;
+  const auto channel = channel_named(name, channels);
+  return channel ? std::optional(NamedSignal{.channel = *channel}) : std::nullopt;
+}
+
+class RoleFinder {
+ public:
+  RoleFinder(const ReadOptions& options, std::size_t channels, bool has_force, const std::string& path)
+      : options_(options), channels_(channels), has_force_(has_force), path_(path) {
+    for (const ChannelSetup& entry : options.setup) {
+      if (signal_named(entry.name, channels, has_force) || is_force_name(entry.name)) continue;
+      throw InputError("no such channel", path + ": channel set-up " + entry.name,
+                       "name force or an acceleration: " + names_of(channels));
+    }
+  }
+
+  NamedRoles find() const {
+    NamedRoles roles{.force = force(), .accel = {}};
+    if (options_.accel_channels.empty()) {
+      for (const NamedSignal& signal : all_signals()) {
+        if (signal != roles.force && is_response(signal)) roles.accel.push_back(signal);
+      }
+      if (roles.accel.empty())
+        throw InputError("every acceleration is ignored", path_ + ": channel set-up", "keep one");
+      return roles;
+    }
+    for (const std::string& name : options_.accel_channels) {
+      const auto signal = signal_named(name, channels_, has_force_);
+      if (!signal) throw InputError("no acceleration channel " + name, path_, names_of(channels_));
+      if (signal == roles.force) {
+        throw InputError(name + " is named as an acceleration and is the force", path_,
+                         "name another signal as the force", {"force_channel"});
+      }
+      if (std::find(roles.accel.begin(), roles.accel.end(), *signal) != roles.accel.end())
+        throw InputError("acceleration channel " + name + " requested twice", path_, "name it once");
+      roles.accel.push_back(*signal);
+    }
+    return roles;
+  }
+
+ private:
+  std::vector<NamedSignal> all_signals() const {
+    std::vector<NamedSignal> all;
+    if (has_force_) all.push_back(kForce);
+    for (std::size_t channel = 0; channel < channels_; ++channel) all.push_back({.channel = channel});
+    return all;
+  }
+
+  std::string role_of(const NamedSignal& signal) const {
+    const ChannelSetup* const entry =
+        signal.is_force ? force_setup(options_) : accel_setup(options_, signal.channel, channels_);
+    return entry == nullptr ? "" : entry->role;
+  }
+
+  // Without a choice by the options.
+  bool is_response(const NamedSignal& signal) const {
+    const std::string role = role_of(signal);
+    return role == "acceleration" || (role.empty() && !signal.is_force);
+  }
+
+  std::optional<NamedSignal> force() const {
+    if (!options_.force_channel.empty()) {
+      const auto named = signal_named(options_.force_channel, channels_, has_force_);
+      if (named) return named;
+      throw InputError("no force channel " + options_.force_channel, path_,
+                       "use the name force, or the name of an acceleration: " + names_of(channels_));
+    }
+    for (const NamedSignal& signal : all_signals()) {
+      if (role_of(signal) == "force") return signal;
+    }
+    if (has_force_ && role_of(kForce).empty()) return kForce;
+    if (options_.force_optional) return std::nullopt;
+    throw InputError("the signal called force has the role " + role_of(kForce), path_ + ": channel set-up",
+                     "give the role force to another channel");
+  }
+
+  const ReadOptions& options_;
+  std::size_t channels_;
+  bool has_force_;
+  const std::string& path_;
+};
+
 }  // namespace
+
+NamedRoles named_roles(const ReadOptions& options, std::size_t channels, bool has_force, const std::string& path) {
+  return RoleFinder(options, channels, has_force, path).find();
+}
 
 std::vector<std::size_t> chosen_channels(const ReadOptions& options, std::size_t channels, const std::string& path) {
   for (const ChannelSetup& entry : options.setup) check_setup(entry, channels, path);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,25 @@ namespace percuss::acquire {
 /// errors  InputError: an option or the set-up names a channel that does not exist, or gives a role that the layout
 /// does not allow.
 std::vector<std::size_t> chosen_channels(const ReadOptions& options, std::size_t channels, const std::string& path);
+
+/// A signal of a file whose signals are called "force" and "accel 1", "accel 2", …
+struct NamedSignal {
+  bool is_force = false;    // the signal called "force"; else acceleration channel `channel`
+  std::size_t channel = 0;  // counted from 0
+  bool operator==(const NamedSignal&) const = default;
+};
+
+/// Which signals are the force and the accelerations.
+struct NamedRoles {
+  std::optional<NamedSignal> force;  // nothing: no force
+  std::vector<NamedSignal> accel;    // in the order of the options, else the force before the channels
+};
+
+/// The roles by the options, else by the set-up's roles, else by the names. A signal called "accel 1" may be the force,
+/// and the one called "force" an acceleration. `has_force`: the file has a signal of that name.
+/// errors  InputError: an option or the set-up names a signal that does not exist; one signal with two roles; no
+/// acceleration; no force, unless it is optional.
+NamedRoles named_roles(const ReadOptions& options, std::size_t channels, bool has_force, const std::string& path);
 
 /// The set-up's entry for the force, or for acceleration channel `index` of `channels`; nullptr without one.
 const ChannelSetup* force_setup(const ReadOptions& options);

@@ -77,7 +77,7 @@ double unit_to_SI(const std::string& unit, Quantity measures, const std::string&
                      measures == Quantity::force ? Ids{"force_sensitivity", "force_scale"}
                                                  : Ids{"accel_sensitivity", "accel_scale"});
   }
-  return require_unit(unit, measures, where).to_SI;
+  return require_unit(unit, measures, where, {measures == Quantity::force ? "force_unit" : "unit"}).to_SI;
 }
 
 }  // namespace

@@ -24,5 +24,9 @@ double chi2_deviate(double chi2, double degrees) {
   return (std::cbrt(chi2 / degrees) - (1 - variance)) / std::sqrt(variance);
 }
 
+double birge_ratio(double chi2, double degrees) {
+  return degrees > 0 && chi2_deviate(chi2, degrees) > kOnceIn1000 ? std::sqrt(chi2 / degrees) : 1;
+}
+
 }  // namespace core
 }  // namespace percuss

@@ -17,5 +17,10 @@ double student_factor(double degrees);
 /// χ² as the normal deviate of the same probability, by the cube root of Wilson and Hilferty.
 double chi2_deviate(double chi2, double degrees);
 
+/// The factor of standard deviations where a fit leaves more than they explain: the root of χ² per degree of freedom
+/// (Birge's ratio), if chance exceeds this χ² less often than once in 1000 cases; otherwise 1. 1 without degrees of
+/// freedom.
+double birge_ratio(double chi2, double degrees);
+
 }  // namespace core
 }  // namespace percuss

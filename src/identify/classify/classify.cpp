@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "identify/classify/asymmetry_split.hpp"
+#include "identify/classify/mode_partners.hpp"
 #include "identify/classify/tube_evidence.hpp"
 #include "identify/classify/type_posterior.hpp"
 
@@ -61,22 +62,6 @@ Ratio ratio_of(const Mode& mode, const SensorPair& sensors) {
   return ratio;
 }
 
-// Whether the frequencies are near enough for one mode of a tube in its two planes.
-bool near_enough_for_one_mode(const Mode& a, const Mode& b, const ClassifyOptions& options) {
-  const double apart = std::abs(a.pole.freq_Hz - b.pole.freq_Hz);
-  return apart <= std::max(options.double_peak_Hz, kPairSpacing * std::min(a.pole.freq_Hz, b.pole.freq_Hz));
-}
-
-std::optional<std::size_t> partner_of(const std::vector<Mode>& modes, std::size_t m, const ClassifyOptions& options) {
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < modes.size(); ++i) {
-    if (i == m || !near_enough_for_one_mode(modes[i], modes[m], options)) continue;
-    const auto apart = [&](std::size_t j) { return std::abs(modes[j].pole.freq_Hz - modes[m].pole.freq_Hz); };
-    if (!best || apart(i) < apart(*best)) best = i;
-  }
-  return best;
-}
-
 std::vector<TypePosterior> posteriors_of(const std::vector<Mode>& modes, const std::vector<Ratio>& ratios,
                                          const SensorPair& sensors, const ClassifyOptions& options) {
   std::vector<TypeEvidence> evidence(modes.size());
@@ -84,9 +69,8 @@ std::vector<TypePosterior> posteriors_of(const std::vector<Mode>& modes, const s
     evidence[m].freq_Hz = modes[m].pole.freq_Hz;
     evidence[m].size = ratios[m].size;
     if (ratios[m].known) evidence[m].ratio = ratios[m].angle;
-    const auto partner = partner_of(modes, m, options);
-    if (partner && partner_of(modes, *partner, options) == m) evidence[m].partner = partner;
   }
+  find_partners(evidence, options);
   const SetUpError error{.angle_rad = options.angle_std_rad, .gain = options.gain_std};
   return type_posteriors(evidence, RatioLikelihood(sensors.first_rad, sensors.second_rad, error));
 }
@@ -147,7 +131,8 @@ void number_orders(const std::vector<Mode>& modes, std::vector<ModeClassificatio
     bool paired = false;  // a mode has at most one partner
     for (std::size_t m = 0; m < modes.size(); ++m) {
       if (classifications[m].type != type) continue;
-      const bool same = before && !paired && near_enough_for_one_mode(modes[*before], modes[m], options);
+      const bool same =
+          before && !paired && near_enough_for_one_mode(modes[*before].pole.freq_Hz, modes[m].pole.freq_Hz, options);
       if (!same) ++order;
       paired = same;
       classifications[m].order = order;

@@ -14,6 +14,8 @@ constexpr double kPatternStd_rad = 0.035;  // 2°: error of the pattern, for mix
 constexpr double kPlaneStd_rad = 0.14;     // 8°: scatter of the planes of different bending modes
 // Prior of bending in the bat's plane or at right angles to it; the rest is bending in any plane.
 constexpr double kKnownPlane = 0.7;
+constexpr double kBlowStd_rad = 0.02;  // 1°: scatter of the planes of a round tube's modes, all those of one blow
+constexpr double kPlaneOfBlow = 0.9;   // prior of this plane; the rest is bending in any plane
 constexpr double kOtherTypePrior =
     0.05;                             // prior of modes that are neither bending nor n = 2, for a bat below a few kHz
 constexpr double kMinDensity = 1e-6;  // lower limit of a density
@@ -71,15 +73,20 @@ double RatioLikelihood::density(const RatioAngle& ratio, Complex mean) const {  
 
 double RatioLikelihood::bending(const RatioAngle& ratio) const { return density(ratio, bending_mean_); }
 
+double RatioLikelihood::bending_in(const RatioAngle& ratio, double plane_rad, double plane_std_rad) const {
+  const double a = std::cos(first_rad_ - plane_rad), b = std::cos(second_rad_ - plane_rad);
+  const double slope = std::abs(std::sin(second_rad_ - first_rad_)) / std::max(a * a + b * b, kMinDensity);  // dχ/dψ
+  return wrapped_density(ratio.chi_rad - std::atan2(b, a), std::hypot(chi_std_rad(ratio), slope * plane_std_rad));
+}
+
 double RatioLikelihood::bending(const RatioAngle& ratio, double plane_rad) const {
   double in_plane = 0;
-  for (const double plane : {plane_rad, plane_rad + pi / 2}) {
-    const double a = std::cos(first_rad_ - plane), b = std::cos(second_rad_ - plane);
-    const double slope = std::abs(std::sin(second_rad_ - first_rad_)) / std::max(a * a + b * b, kMinDensity);  // dχ/dψ
-    in_plane +=
-        0.5 * wrapped_density(ratio.chi_rad - std::atan2(b, a), std::hypot(chi_std_rad(ratio), slope * kPlaneStd_rad));
-  }
+  for (const double plane : {plane_rad, plane_rad + pi / 2}) in_plane += 0.5 * bending_in(ratio, plane, kPlaneStd_rad);
   return kKnownPlane * in_plane + (1 - kKnownPlane) * bending(ratio);
+}
+
+double RatioLikelihood::bending_of_blow(const RatioAngle& ratio, double plane_rad) const {
+  return kPlaneOfBlow * bending_in(ratio, plane_rad, kBlowStd_rad) + (1 - kPlaneOfBlow) * bending(ratio);
 }
 
 double RatioLikelihood::hoop(const RatioAngle& ratio, std::size_t placement) const {

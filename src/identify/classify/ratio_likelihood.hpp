@@ -41,6 +41,8 @@ class RatioLikelihood {
   double bending(const RatioAngle& ratio) const;
   /// Bending of a bat whose modes mostly lie in this plane or at right angles to it.
   double bending(const RatioAngle& ratio, double plane_rad) const;
+  /// Bending of a round tube, whose modes all lie in the plane of the blow.
+  double bending_of_blow(const RatioAngle& ratio, double plane_rad) const;
   /// Hoop, n = 2, at any angle: for one placement, and summed over all placements.
   double hoop(const RatioAngle& ratio, std::size_t placement) const;
   double hoop(const RatioAngle& ratio) const;
@@ -53,6 +55,7 @@ class RatioLikelihood {
 
  private:
   double chi_std_rad(const RatioAngle& ratio) const;
+  double bending_in(const RatioAngle& ratio, double plane_rad, double plane_std_rad) const;
   double density(const RatioAngle& ratio, std::complex<double> mean) const;
   double first_rad_, second_rad_, apart_std_rad_, gain_std_;
   std::complex<double> bending_mean_;

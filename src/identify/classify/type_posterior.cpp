@@ -10,7 +10,9 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr std::size_t kPlanes = 45;     // 2° apart over 90°: every plane comes with the plane at right angles to it
+// 2° apart over 90°: every plane comes with the plane at right angles to it; over 180° for the plane of the blow.
+constexpr std::size_t kPlanes = 45;
+constexpr std::size_t kBlowPlanes = 2 * kPlanes;
 constexpr double kPairPrior = 0.9;      // prior probability that two partners are one mode in two planes
 constexpr double kPairAngle_rad = 0.1;  // standard deviation, around 90°, of the angle between a mode's two planes
 constexpr double kBroader = 2;          // width of the density of the log size ratio: unrelated modes over a pair
@@ -22,7 +24,7 @@ using TypeWeights = TypePosterior;
 // Prior probabilities of the types. A bat's lowest mode is a bending mode at 100 to 300 Hz. The higher the lowest
 // frequency found is, the likelier the band excludes this bending mode: the prior becomes uninformative towards
 // kMinHoop_Hz.
-TypeWeights prior_of_lowest(double freq_Hz) {
+TypeWeights prior_at(double freq_Hz) {
   const double hoop = std::clamp(std::pow(freq_Hz / kMinHoop_Hz, 2), 0.01, 1.0);
   return {2 - hoop, hoop, 1};
 }
@@ -43,19 +45,24 @@ TypeWeights product_of(TypeWeights a, const TypeWeights& b) {
 
 // Likelihoods of one mode's ratio for all values of the shared unknowns.
 struct ModeTable {
-  std::array<double, kPlanes> bending{};
+  std::vector<double> bending;  // [planes]
   std::array<double, RatioLikelihood::kPlacements> hoop{};
   double other = 1;
   TypeWeights prior{1, 1, 1};
 };
 
-ModeTable table_of(const TypeEvidence& mode, const RatioLikelihood& likelihood) {
+enum class BendingPlanes { of_the_tube, of_the_blow };
+
+ModeTable table_of(const TypeEvidence& mode, const RatioLikelihood& likelihood, BendingPlanes planes) {
   ModeTable table;
-  table.bending.fill(1);
+  table.bending.assign(planes == BendingPlanes::of_the_tube ? kPlanes : kBlowPlanes, 1);
   table.hoop.fill(1);
   if (!mode.ratio) return table;
-  for (std::size_t p = 0; p < kPlanes; ++p)
-    table.bending[p] = likelihood.bending(*mode.ratio, pi / 2 * static_cast<double>(p) / kPlanes);
+  for (std::size_t p = 0; p < table.bending.size(); ++p) {
+    const double plane_rad = pi / 2 * static_cast<double>(p) / kPlanes;
+    table.bending[p] = planes == BendingPlanes::of_the_tube ? likelihood.bending(*mode.ratio, plane_rad)
+                                                            : likelihood.bending_of_blow(*mode.ratio, plane_rad);
+  }
   for (std::size_t e = 0; e < table.hoop.size(); ++e) table.hoop[e] = likelihood.hoop(*mode.ratio, e);
   table.other = likelihood.other(*mode.ratio);
   return table;
@@ -89,18 +96,33 @@ PairTable table_of(const TypeEvidence& one, const TypeEvidence& two, const Ratio
 
 class JointPosterior {
  public:
-  JointPosterior(const std::vector<TypeEvidence>& modes, const RatioLikelihood& likelihood) : modes_(modes) {
+  JointPosterior(const std::vector<TypeEvidence>& modes, const RatioLikelihood& likelihood,
+                 BendingPlanes planes = BendingPlanes::of_the_tube)
+      : modes_(modes), planes_(planes == BendingPlanes::of_the_tube ? kPlanes : kBlowPlanes) {
     for (const TypeEvidence& mode : modes) {
-      tables_.push_back(table_of(mode, likelihood));
+      tables_.push_back(table_of(mode, likelihood, planes));
       const bool both = mode.partner && mode.ratio && modes[*mode.partner].ratio;
       pairs_.push_back(both ? std::optional(table_of(mode, modes[*mode.partner], likelihood)) : std::nullopt);
     }
-    if (!modes.empty()) tables_[0].prior = prior_of_lowest(modes[0].freq_Hz);
+    if (!modes.empty()) tables_[0].prior = prior_at(modes[0].freq_Hz);
+  }
+
+  // Every mode has the prior of its frequency, not only the lowest.
+  void use_all_frequencies() {
+    for (std::size_t m = 0; m < modes_.size(); ++m) tables_[m].prior = prior_at(modes_[m].freq_Hz);
+  }
+
+  // Logarithm of the mean over the shared unknowns.
+  double log_evidence() const {
+    const std::vector<double> log_weight = log_weights();
+    const double most = *std::max_element(log_weight.begin(), log_weight.end());
+    double sum = 0;
+    for (const double one : log_weight) sum += std::exp(one - most);
+    return most + std::log(sum / static_cast<double>(planes_));
   }
 
   std::vector<TypePosterior> posteriors() const {
-    std::vector<double> log_weight;
-    for (std::size_t s = 0; s < kPlanes * RatioLikelihood::kPlacements; ++s) log_weight.push_back(log_weight_of(s));
+    const std::vector<double> log_weight = log_weights();
     const double most = *std::max_element(log_weight.begin(), log_weight.end());
     std::vector<TypePosterior> out(modes_.size(), TypePosterior{});
     for (std::size_t s = 0; s < log_weight.size(); ++s) {
@@ -119,11 +141,18 @@ class JointPosterior {
   static constexpr double kNegligible = 1e-9;
 
   // s numbers the combinations of the shared unknowns, plane and placement.
-  static std::size_t placement_of(std::size_t s) { return s / kPlanes; }
+  std::size_t placement_of(std::size_t s) const { return s / planes_; }
+  std::size_t plane_of(std::size_t s) const { return s % planes_; }
+
+  std::vector<double> log_weights() const {
+    std::vector<double> log_weight;
+    for (std::size_t s = 0; s < planes_ * RatioLikelihood::kPlacements; ++s) log_weight.push_back(log_weight_of(s));
+    return log_weight;
+  }
 
   TypeWeights own_weights(std::size_t s, std::size_t m) const {
     const ModeTable& table = tables_[m];
-    return product_of({table.bending[s % kPlanes], table.hoop[placement_of(s)], table.other}, table.prior);
+    return product_of({table.bending[plane_of(s)], table.hoop[placement_of(s)], table.other}, table.prior);
   }
 
   // Weights of the types of mode m, summed over the types of its partner. The total is the same for both partners.
@@ -133,7 +162,7 @@ class JointPosterior {
     const std::size_t partner = *modes_[m].partner;
     const TypeWeights other = own_weights(s, partner);
     const std::size_t sharper = modes_[m].ratio->std_rad < modes_[partner].ratio->std_rad ? m : partner;
-    const double bending = tables_[sharper].bending[s % kPlanes] * tables_[std::min(m, partner)].prior[0];
+    const double bending = tables_[sharper].bending[plane_of(s)] * tables_[std::min(m, partner)].prior[0];
     const TypeWeights together =
         product_of({bending * pairs_[m]->right_angle, own[1] * other[1], own[2] * other[2]}, pairs_[m]->size);
     TypeWeights out{};
@@ -152,6 +181,7 @@ class JointPosterior {
   }
 
   const std::vector<TypeEvidence>& modes_;
+  std::size_t planes_;
   std::vector<ModeTable> tables_;
   std::vector<std::optional<PairTable>> pairs_;  // where both sensors observe both members
 };
@@ -160,6 +190,18 @@ class JointPosterior {
 
 std::vector<TypePosterior> type_posteriors(const std::vector<TypeEvidence>& modes, const RatioLikelihood& likelihood) {
   return modes.empty() ? std::vector<TypePosterior>{} : JointPosterior(modes, likelihood).posteriors();
+}
+
+double log_set_up_evidence(const std::vector<TypeEvidence>& modes, const RatioLikelihood& likelihood) {
+  if (modes.empty()) return 0;
+  std::vector<double> logs;
+  for (const BendingPlanes planes : {BendingPlanes::of_the_tube, BendingPlanes::of_the_blow}) {
+    JointPosterior joint(modes, likelihood, planes);
+    joint.use_all_frequencies();
+    logs.push_back(joint.log_evidence());
+  }
+  const double most = std::max(logs[0], logs[1]);
+  return most + std::log(0.5 * (std::exp(logs[0] - most) + std::exp(logs[1] - most)));
 }
 
 }  // namespace percuss::identify

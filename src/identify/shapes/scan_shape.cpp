@@ -66,6 +66,28 @@ VectorXd channel_weights(const ResidueTable& table) {
   return weight;
 }
 
+// The weighted first singular vector, turned to real amplitudes.
+struct Projection {
+  VectorXd weight;  // of the channels
+  VectorXcd channel_vector;
+  VectorXcd along;  // [points]
+  Complex turn;
+  double back = 1;  // to the scale of the channel with the largest residues
+};
+
+Projection projection_of(const ResidueTable& table) {
+  Projection out{.weight = channel_weights(table), .channel_vector = {}, .along = {}, .turn = {}};
+  const MatrixXcd scaled = table.value * out.weight.cast<Complex>().asDiagonal();
+  out.channel_vector = leading_right_vector(scaled);
+  out.along = scaled * out.channel_vector;
+  // Σ a² has twice the phase of the best line through the values a.
+  out.turn = std::polar(1.0, -0.5 * std::arg((out.along.array() * out.along.array()).sum()));
+  if ((out.turn * out.along(0)).real() < 0) out.turn = -out.turn;
+  Index channel = 0;
+  out.back = out.channel_vector.cwiseAbs().cwiseQuotient(out.weight).maxCoeff(&channel);
+  return out;
+}
+
 }  // namespace
 
 ScanShape shape_along(const Mode& mode, std::span<const int> point, std::span<const double> position_m) {
@@ -73,22 +95,26 @@ ScanShape shape_along(const Mode& mode, std::span<const int> point, std::span<co
   const ResidueTable table = table_of(mode, point, position_m);
   if (table.value.size() == 0) return {};
   ScanShape shape{.position_m = table.position_m, .amplitude = {}, .std = {}};
-  const VectorXd weight = channel_weights(table);
-  const MatrixXcd scaled = table.value * weight.cast<Complex>().asDiagonal();
-  const VectorXcd channel_vector = leading_right_vector(scaled);
-  const VectorXcd along = scaled * channel_vector;
-  // Σ a² has twice the phase of the best line through the values a.
-  Complex turn = std::polar(1.0, -0.5 * std::arg((along.array() * along.array()).sum()));
-  if ((turn * along(0)).real() < 0) turn = -turn;
-  Index channel = 0;
-  const double back = channel_vector.cwiseAbs().cwiseQuotient(weight).maxCoeff(&channel);
-  for (Index p = 0; p < along.size(); ++p) {
+  const Projection by = projection_of(table);
+  for (Index p = 0; p < by.along.size(); ++p) {
     const double noise =
-        (table.std.row(p).transpose().array() * weight.array() * channel_vector.cwiseAbs().array()).matrix().norm();
-    shape.amplitude.push_back((turn * along(p)).real() * back);
-    shape.std.push_back(std::hypot(noise * back, table.relative_std(p) * shape.amplitude.back()));
+        (table.std.row(p).transpose().array() * by.weight.array() * by.channel_vector.cwiseAbs().array())
+            .matrix()
+            .norm();
+    shape.amplitude.push_back((by.turn * by.along(p)).real() * by.back);
+    shape.std.push_back(std::hypot(noise * by.back, table.relative_std(p) * shape.amplitude.back()));
   }
   return shape;
+}
+
+std::vector<Complex> channel_factors(const Mode& mode, std::span<const int> point, std::span<const double> position_m) {
+  const ResidueTable table = table_of(mode, point, position_m);
+  if (table.value.size() == 0) return {};
+  const Projection by = projection_of(table);
+  std::vector<Complex> factors;
+  for (Index c = 0; c < by.weight.size(); ++c)
+    factors.push_back(by.turn * by.weight(c) * by.channel_vector(c) * by.back);
+  return factors;
 }
 
 }  // namespace percuss::identify

@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/math/levenberg_marquardt.hpp"
 #include "core/math/linear_algebra.hpp"
+#include "core/math/significance.hpp"
 #include "model/bat/bat_modes.hpp"
 
 namespace percuss::model {
@@ -176,7 +177,8 @@ StructureFit fit_structure(const BeamStructure& structure, const std::vector<Str
   const MatrixXd covariance = inverse_gram(MatrixXd(columns.transpose() * columns));
   const bool known = std::all_of(measured.begin(), measured.end(), [](const auto& one) { return one.std_Hz > 0; });
   const std::size_t spare = measured.size() - parameters.size();
-  const double variance = known ? 1 : spare > 0 ? fit.chi2 / static_cast<double>(spare) : 0;
+  const auto degrees = static_cast<double>(spare);
+  const double variance = known ? std::pow(birge_ratio(fit.chi2, degrees), 2) : spare > 0 ? fit.chi2 / degrees : 0;
   fit.parameters.reserve(parameters.size());
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const auto at = static_cast<Index>(i);

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/math/levenberg_marquardt.hpp"
 #include "core/math/linear_algebra.hpp"
+#include "core/math/significance.hpp"
 
 namespace percuss::model {
 namespace {
@@ -164,7 +165,8 @@ BeamFit fit_beam(const UniformBeam& beam, const std::vector<BeamParameter>& para
   const Eigen::MatrixXd covariance = inverse_gram(gram);
   const bool known = std::all_of(measured.begin(), measured.end(), [](const auto& one) { return one.std_Hz > 0; });
   const std::size_t spare = measured.size() - parameters.size();
-  const double variance = known ? 1 : spare > 0 ? fit.chi2 / static_cast<double>(spare) : 0;
+  const auto degrees = static_cast<double>(spare);
+  const double variance = known ? std::pow(birge_ratio(fit.chi2, degrees), 2) : spare > 0 ? fit.chi2 / degrees : 0;
   fit.parameters.reserve(parameters.size());
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);

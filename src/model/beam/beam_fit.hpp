@@ -35,9 +35,9 @@ std::size_t max_beam_parameters(BeamSupport support);
 
 /// Fits `parameters` of `beam` to measured frequencies, by least squares (Levenberg–Marquardt) on the logarithms of
 /// frequencies and parameters. The start is the best of the values of `beam` and of a range of T*. Standard deviations
-/// follow from std_Hz where it is known; otherwise from the residuals, with equal relative deviations of the
-/// frequencies assumed. Preconditions: no rigid-body mode; 1 to max_beam_parameters different parameters, the torsion
-/// only with a spring; at least as many frequencies as parameters.
+/// follow from std_Hz where it is known, times birge_ratio() of chi2; otherwise from the residuals, with equal relative
+/// deviations of the frequencies assumed. Preconditions: no rigid-body mode; 1 to max_beam_parameters different
+/// parameters, the torsion only with a spring; at least as many frequencies as parameters.
 BeamFit fit_beam(const UniformBeam& beam, const std::vector<BeamParameter>& parameters,
                  const std::vector<MeasuredFrequency>& measured);
 

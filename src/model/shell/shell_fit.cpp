@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/math/levenberg_marquardt.hpp"
 #include "core/math/linear_algebra.hpp"
+#include "core/math/significance.hpp"
 
 namespace percuss::model {
 namespace {
@@ -100,10 +101,11 @@ ShellFit fit_shell(const TubeShell& shell, const std::vector<MeasuredHoop>& meas
                      "add frequencies, or measure them more precisely", {"measured"});
   }
   ShellFit result{.shell = fit.shell(best), .model_Hz = {}};
-  if (unknowns != ShellUnknowns::wall) result.young_std_Pa = sigma[0] * result.shell.young_Pa;
-  if (unknowns != ShellUnknowns::young) result.wall_std_m = sigma[fit.count() - 1] * result.shell.wall_m;
-  if (unknowns == ShellUnknowns::both) result.correlation = covariance(0, 1) / (sigma[0] * sigma[1]);
   result.chi2 = fit.residual(best).squaredNorm();
+  const double scale = birge_ratio(result.chi2, static_cast<double>(std::ssize(measured) - fit.count()));
+  if (unknowns != ShellUnknowns::wall) result.young_std_Pa = scale * sigma[0] * result.shell.young_Pa;
+  if (unknowns != ShellUnknowns::young) result.wall_std_m = scale * sigma[fit.count() - 1] * result.shell.wall_m;
+  if (unknowns == ShellUnknowns::both) result.correlation = covariance(0, 1) / (sigma[0] * sigma[1]);
   result.model_Hz.reserve(measured.size());
   for (const MeasuredHoop& hoop : measured) result.model_Hz.push_back(flugge_Hz(result.shell, hoop.n, hoop.m));
   return result;

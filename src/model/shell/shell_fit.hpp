@@ -27,7 +27,7 @@ struct ShellFit {
 /// Fits ln E and ln h to Flügge's frequencies by weighted least squares (Levenberg–Marquardt). `shell` is the start and
 /// holds all other constants. Every frequency is proportional to √E. Where the wall bends without stretching, it is
 /// also proportional to h. E and h differ in their effect only because patterns stretch the wall by different amounts,
-/// most for small n and large m.
+/// most for small n and large m. The standard deviations follow from freq_std_Hz, times birge_ratio() of chi2.
 /// errors  InputError: fewer frequencies than unknowns; a standard deviation above half the value (patterns that do not
 /// separate E from h, or uncertain frequencies); no convergence.
 ShellFit fit_shell(const TubeShell& shell, const std::vector<MeasuredHoop>& measured, ShellUnknowns unknowns);

@@ -25,8 +25,7 @@ constexpr double kMaxSpeed_mps = 50;       // ten times the speed of a hammer sw
 constexpr double kSameMotion = 0.98;       // of ChannelPair::correlation
 constexpr double kSameRatio = 1.1;         // of ChannelPair::spread: sensors at one place; bending and hoop differ more
 constexpr double kOppositeMotion = -0.95;  // of ChannelPair::correlation
-constexpr double kOneSide_rad = std::numbers::pi / 2 + 0.1;  // sensors farther apart may point against each other
-constexpr double kOwnPlace_rad = std::numbers::pi / 6;       // sensors farther apart show different motions
+constexpr double kOwnPlace_rad = std::numbers::pi / 6;  // sensors farther apart show different motions
 
 std::string delay_text(double s, double std_s) {
   const double magnitude = std::abs(s);
@@ -112,9 +111,15 @@ std::vector<Warning> clocks(const acquire::Record& record, const std::vector<Cha
   return out;
 }
 
-std::vector<Warning> units(const acquire::Record& record, const ChannelFindings& findings) {
+bool is_pair(const ChannelPair& pair, const std::optional<identify::SensorPair>& sensors) {
+  return sensors && std::minmax(pair.first, pair.second) == std::minmax(sensors->first, sensors->second);
+}
+
+std::vector<Warning> units(const acquire::Record& record, const ChannelFindings& findings,
+                           const SensorDirections& directions) {
   std::vector<Warning> out;
   for (const ChannelPair& pair : findings.pairs) {
+    if (is_pair(pair, directions.tube)) continue;
     const double factor = std::max(pair.ratio, 1 / pair.ratio);
     if (factor < kUnitFactor / kUnitSpread || factor > kUnitFactor * kUnitSpread) continue;
     const bool second = pair.ratio > 1;
@@ -147,12 +152,15 @@ std::optional<double> angle_between(const acquire::Record& record, const Channel
   return std::abs(std::remainder(*first - *second, kTwoPi));
 }
 
-std::vector<Warning> directions(const acquire::Record& record, const std::vector<ChannelPair>& pairs) {
+std::vector<Warning> directions(const acquire::Record& record, const std::vector<ChannelPair>& pairs,
+                                const SensorDirections& directions) {
   std::vector<Warning> out;
   for (const ChannelPair& pair : pairs) {
     if (pair.second >= record.accel.size()) continue;
     const auto angle_rad = angle_between(record, pair);
-    if (pair.correlation < kOppositeMotion && angle_rad.value_or(0) < kOneSide_rad) {
+    // Sensors with an angle between them show different motions, of either sign.
+    const bool one_direction = directions.angles_assumed || angle_rad.value_or(0) < kOwnPlace_rad;
+    if (pair.correlation < kOppositeMotion && one_direction && !is_pair(pair, directions.tube)) {
       out.push_back(with_remedy(
           {"reversed",
            fmt::format("{} moves against {} in each of {} modes: reversing one of them would make all "
@@ -220,14 +228,16 @@ std::vector<Warning> mass_loading_warnings(const std::vector<identify::Mode>& mo
 }
 
 std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const std::vector<identify::Mode>& modes,
-                                           const ChannelFindings& findings, bool correctable) {
+                                           const ChannelFindings& findings, bool correctable,
+                                           const SensorDirections& sensors) {
   // A different clock also causes delays. Only the clock is then reported.
   const bool own_clock = std::any_of(findings.clocks.begin(), findings.clocks.end(),
                                      [](const ChannelClock& clock) { return clock.established(); });
   std::vector<Warning> out;
   if (!own_clock) out = skew(record, modes, findings.delays, correctable);
-  for (const auto& more : {corrected_skew(record, modes, findings.corrected_delays), clocks(record, findings.clocks),
-                           units(record, findings), directions(record, findings.pairs), silent_channels(record, modes)})
+  for (const auto& more :
+       {corrected_skew(record, modes, findings.corrected_delays), clocks(record, findings.clocks),
+        units(record, findings, sensors), directions(record, findings.pairs, sensors), silent_channels(record, modes)})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

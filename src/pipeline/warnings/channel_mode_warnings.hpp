@@ -1,7 +1,9 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "acquire/record/record.hpp"
+#include "identify/classify/classify.hpp"
 #include "pipeline/channels/channel_findings.hpp"
 #include "pipeline/warnings/warning.hpp"
 
@@ -10,9 +12,16 @@ namespace percuss::pipeline {
 /// mass_loading: frequencies that fall where a mode moves most.
 std::vector<Warning> mass_loading_warnings(const std::vector<identify::Mode>& modes);
 
+/// What the analysis knows of the directions of the accelerometers.
+struct SensorDirections {
+  bool angles_assumed = false;                 // the angles in the record are not stated
+  std::optional<identify::SensorPair> tube{};  // the sensors of a tube, whose ratios tube_warnings() judges
+};
+
 /// skew, clock_mismatch, units_differ, implausible_motion, reversed, same_motion, dead_channel. `correctable`: the
 /// input is a record in time, from which a delay can be taken out.
 std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const std::vector<identify::Mode>& modes,
-                                           const ChannelFindings& findings, bool correctable);
+                                           const ChannelFindings& findings, bool correctable,
+                                           const SensorDirections& sensors = {});
 
 }  // namespace percuss::pipeline

@@ -14,6 +14,7 @@
 #include "acquire/hits/pulse_shape.hpp"
 #include "core/error.hpp"
 #include "core/math/statistics.hpp"
+#include "core/units.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -156,6 +157,24 @@ std::optional<std::size_t> responding_channel(const acquire::Record& record, con
   return std::nullopt;
 }
 
+bool states_unit(const acquire::SignalInfo& signal, Quantity quantity) {
+  const auto unit = parse_unit(signal.unit);
+  return !signal.unit_assumed && unit && unit->quantity == quantity;
+}
+
+// "force and accel 2": the accelerations once the hammer and the force have changed places.
+std::string accelerations_without(const acquire::Record& record, std::size_t hammer) {
+  constexpr std::size_t kListed = 6;
+  const std::string force = one_line(record.force.name, kMaxNameBytes);
+  if (record.accel.size() > kListed) return force + " in its place among the accelerations";
+  std::string list;
+  for (std::size_t c = 0; c < record.accel.size(); ++c) {
+    const char* const between = c == 0 ? "" : c + 1 == record.accel.size() ? " and " : ", ";
+    list += between + (c == hammer ? force : one_line(record.accel[c].name, kMaxNameBytes));
+  }
+  return list + (record.accel.size() == 1 ? " as the acceleration" : " as the accelerations");
+}
+
 }  // namespace
 
 std::vector<Warning> role_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
@@ -174,12 +193,17 @@ std::vector<Warning> role_warnings(const acquire::Record& record, const std::vec
   const std::string force = one_line(record.force.name, kMaxNameBytes);
   if (hammer) {
     const std::string response = one_line(record.accel[*hammer].name, kMaxNameBytes);
-    return {with_remedy(
-        {"swapped_channels",
-         fmt::format("{} looks like the hammer and {} like a response: the channels are swapped", response, force),
-         {"force_channel", "accel_channel"}},
-        fmt::format("name {} as the force and {} as the acceleration, and their units if the file states others",
-                    response, force))};
+    Warning warning{
+        "swapped_channels",
+        fmt::format("{} looks like the hammer and {} like a response: the channels are swapped", response, force),
+        {"force_channel", "accel_channel"}};
+    std::string remedy = fmt::format("name {} as the force, and {}", response, accelerations_without(record, *hammer));
+    // The file's units are those of the roles that it states; the reader refuses them for the others.
+    if (states_unit(record.force, Quantity::force) || states_unit(record.accel[*hammer], Quantity::acceleration)) {
+      warning.options.insert(warning.options.end(), {"force_unit", "unit"});
+      remedy += "; state the units, too, because those of the file belong to its own roles";
+    }
+    return {with_remedy(std::move(warning), remedy)};
   }
   if (lacking < hits.size() || options.trigger_N) return {};
   const auto moving = responding_channel(record, hits.front().hit);

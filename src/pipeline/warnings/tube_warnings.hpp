@@ -11,8 +11,8 @@ namespace percuss::pipeline {
 /// What the ratios of the residues at two sensors of a tube say against the test:
 ///   midway_hit          all ratios are about −1, so that bending and hoop look alike, or about +1, so that hoop modes
 ///                       have nodes at both sensors
-///   reversed            ratios of about +1 in place of the −1 of hoop modes
-///   units_differ        ratios of about −9.81 or −10, or their inverses, in place of the −1 of hoop modes
+///   reversed            the ratios of all modes are far likelier if one sensor is reversed (log_fault_evidence)
+///   units_differ        the same for a factor between two units: 9.81, 10, 39.4, 386 or 1000, or an inverse
 ///   angles_contradicted the ratios do not fit the stated angles
 ///   order_missing       the two lowest bending modes are closer than the first two of a tube
 /// `complete`: the modes are all modes of the band.

@@ -204,6 +204,30 @@ TEST_F(Inputs, WithSwappedChannelsAreNamedWithTheirCure) {
               200, kFrequencyTolerance_Hz);
 }
 
+// The remedy, typed as it is printed, works for every format.
+TEST_F(Inputs, WithSwappedChannelsAreReadByTheNamesOfTheWarning) {
+  test::write_columns(file("swapped.csv"), "force_N,acc_m_s2", {record_.accel_mps2, record_.force_N});
+  for (const char* format : {"csv", "h5", "mat", "uff"}) {
+    SCOPED_TRACE(format);
+    const std::string name = std::string("s.") + format;
+    ASSERT_EQ(run_percuss({"convert", file("swapped.csv"), "--fs", "4096", "-o", file(name)}).code, 0);
+    const auto channels = test::parse_json(run_percuss({"info", file(name), "--json"}).out)["files"][0]["channels"];
+    const std::string force = channels[0]["name"], accel = channels[1]["name"];
+    std::string text = analyze({name}).out;
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    const auto both_blank = [](char before, char after) { return before == ' ' && after == ' '; };
+    text.erase(std::unique(text.begin(), text.end(), both_blank), text.end());
+    EXPECT_THAT(text, HasSubstr("name " + accel + " as the force, and " + force + " as the acceleration"));
+    EXPECT_THAT(text, HasSubstr("--force-unit"));
+    EXPECT_NEAR(first_mode_Hz(analyze({name, "--force-channel", accel, "--accel-channel", force, "--force-unit", "N",
+                                       "--unit", "m/s^2", "--json"})),
+                200, kFrequencyTolerance_Hz);
+    test::write_bytes(file("roles.json"), R"([{"name": ")" + accel + R"(", "role": "force", "unit": "N"}, {"name": ")" +
+                                              force + R"(", "role": "acceleration", "unit": "m/s^2"}])");
+    EXPECT_NEAR(first_mode_Hz(analyze({name, "--setup", file("roles.json"), "--json"})), 200, kFrequencyTolerance_Hz);
+  }
+}
+
 TEST_F(Inputs, ShowTheHammerInTheirSamples) {
   std::vector<double> mass;
   for (const double force : record_.force_N) mass.push_back(force / 2);

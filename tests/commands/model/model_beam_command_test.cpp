@@ -60,6 +60,19 @@ TEST(ModelBeamCommand, FitsMeasuredFrequencies) {
   EXPECT_TRUE(free["fit"]["parameters"][0]["std"].is_null());
 }
 
+// The second frequency is 2 % too high: 650 of its standard deviations.
+TEST(ModelBeamCommand, SaysThatAMisfitEnlargesTheStandardDeviations) {
+  const std::vector<std::string> words{"--fit", "ei", "--measured", "14.536,328.9,1037.79", "--measured-std", "0.01"};
+  const auto fit = document(words)["fit"];
+  EXPECT_GT(fit["birge_ratio"].get<double>(), 100);
+  std::vector<std::string> printed{"model", "beam"};
+  printed.insert(printed.end(), words.begin(), words.end());
+  EXPECT_THAT(run_percuss(printed).out, HasSubstr("misfit beyond the ± of the frequencies"));
+  const auto good = document({"--fit", "ei", "--measured", "14.536,322.433,1037.79", "--measured-std", "0.01"})["fit"];
+  EXPECT_EQ(good["birge_ratio"], 1);
+  EXPECT_LT(good["parameters"][0]["std"].get<double>(), 0.01 * fit["parameters"][0]["std"].get<double>());
+}
+
 // The frequencies are those of the beam with EI 4000, spring 1200 and ρA 2.24. Each start is far from these values.
 TEST(ModelBeamCommand, TakesAGivenValueOfAFittedParameterForItsStart) {
   const std::vector<std::string> measured{"--measured", "14.536,322.433,1037.79", "--measured-std", "0.01"};

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace percuss::significance_test {
 
 // The tables have four decimals.
@@ -26,6 +28,14 @@ TEST(Chi2Deviate, IsTheNormalDeviateOfTheSameProbability) {
   EXPECT_NEAR(chi2_deviate(9.488, 4), 1.645, 0.02) << "95 %";
   EXPECT_NEAR(chi2_deviate(18.467, 4), 3.09, 0.05) << "99.9 %";
   EXPECT_NEAR(chi2_deviate(10.828, 1), 3.09, 0.06) << "99.9 %";
+}
+
+TEST(BirgeRatio, WidensStandardDeviationsThatChanceDoesNotExplain) {
+  EXPECT_EQ(birge_ratio(4, 1), 1) << "two standard deviations";
+  EXPECT_DOUBLE_EQ(birge_ratio(36, 1), 6);
+  EXPECT_EQ(birge_ratio(14, 7), 1);
+  EXPECT_DOUBLE_EQ(birge_ratio(70, 7), std::sqrt(10.0));
+  EXPECT_EQ(birge_ratio(1e-9, 0), 1) << "as many unknowns as values";
 }
 
 }  // namespace percuss::significance_test

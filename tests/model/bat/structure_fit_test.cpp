@@ -63,6 +63,21 @@ TEST(StructureFit, StatesTheClosedFormOfAStandardDeviation) {
   }
 }
 
+// Two frequencies, 6 standard deviations above and below the model: χ² is 72 for one degree of freedom.
+TEST(StructureFit, EnlargesStandardDeviationsThatTheMisfitExceeds) {
+  BeamStructure beam = held_bat();
+  beam.slender = true;
+  beam.support = {};
+  auto measured = measured_on(beam, 2, 1e-3);
+  const double stated = *fit_structure(beam, {StructureParameter::young}, measured).parameters[0].std;
+  measured[0].freq_Hz *= 1 + 6e-3;
+  measured[1].freq_Hz *= 1 - 6e-3;
+  const StructureFit fit = fit_structure(beam, {StructureParameter::young}, measured);
+  constexpr double kFrequenciesChanged = 0.02;  // the same deviation in Hz is another part of the frequency
+  EXPECT_NEAR(std::sqrt(fit.chi2 / 72), 1, kFrequenciesChanged);
+  EXPECT_NEAR(*fit.parameters[0].std / stated / std::sqrt(72), 1, kFrequenciesChanged);
+}
+
 // Noisy frequencies scatter the fitted values as widely as their stated standard deviations say.
 TEST(StructureFit, StatesTheScatterOfItsValues) {
   const BeamStructure truth = held_bat();

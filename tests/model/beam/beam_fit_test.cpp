@@ -92,6 +92,23 @@ TEST(BeamFit, StatesTheStandardDeviationsOfItsScatter) {
   EXPECT_NEAR(std::sqrt(from_residuals) / (known / kTruth.torsion_Nmprad), 1, kSpread);
 }
 
+// Frequencies that differ from the model by 6 of their standard deviations do not fix the stiffness to one of them.
+TEST(BeamFit, EnlargesStandardDeviationsThatTheMisfitExceeds) {
+  UniformBeam beam = kTruth;
+  beam.support = BeamSupport::free;
+  auto known = measured(beam, 2, 2);
+  for (auto& one : known) one.std_Hz = 1e-3 * one.freq_Hz;
+  const double small = *fit_beam(beam, {stiffness}, known).parameters[0].std;
+  known[0].freq_Hz *= 1 + 6e-3;
+  known[1].freq_Hz *= 1 - 6e-3;
+  auto unknown = known;
+  for (auto& one : unknown) one.std_Hz = 0;
+  const BeamFit fit = fit_beam(beam, {stiffness}, known);
+  constexpr double kOfRelativeStd = 0.02;  // the standard deviations are no longer exactly 1e-3 of the frequencies
+  EXPECT_NEAR(*fit.parameters[0].std / small, std::sqrt(fit.chi2), kOfRelativeStd * std::sqrt(fit.chi2));
+  EXPECT_NEAR(*fit.parameters[0].std / *fit_beam(beam, {stiffness}, unknown).parameters[0].std, 1, kOfRelativeStd);
+}
+
 TEST(StaticTorsion, IncludesTheBendingOfTheBeam) {
   // d = P a²/T + P a³/(3 EI), written out.
   const auto read = [](double load_N, double lever_m) {

@@ -123,6 +123,17 @@ TEST(ShellFit, RecoversBothFromPatternsThatStretchTheWallDifferently) {
   EXPECT_LT(fit.correlation, -0.5);
 }
 
+TEST(ShellFit, EnlargesStandardDeviationsThatTheMisfitExceeds) {
+  auto measured = measured_on(kAluminium, {{.n = 2, .m = 1}, {.n = 3, .m = 1}});
+  const double stated_Pa = fit_shell(kAluminium, measured, ShellUnknowns::young).young_std_Pa;
+  measured[0].freq_Hz *= 1.01;
+  measured[1].freq_Hz *= 0.99;
+  const ShellFit fit = fit_shell(kAluminium, measured, ShellUnknowns::young);
+  ASSERT_GT(fit.chi2, 30);
+  constexpr double kFrequenciesChanged = 0.03;
+  EXPECT_NEAR(fit.young_std_Pa / stated_Pa / std::sqrt(fit.chi2), 1, kFrequenciesChanged);
+}
+
 // Every frequency of a long tube is proportional to h √E.
 TEST(ShellFit, RefusesPatternsThatDoNotSeparateTheUnknowns) {
   TubeShell tube = kAluminium;

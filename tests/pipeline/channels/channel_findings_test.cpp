@@ -129,20 +129,58 @@ TEST(ChannelFindings, NameChannelsWithTheirOwnClock) {
   EXPECT_NEAR(clock.excess, 50e-6, 5 * clock.std);
 }
 
+// A bat struck in line with the first sensor: bending in the plane of the blow, and split hoop modes.
+synth::SynthSpec bat_in_line() {
+  std::vector<synth::SynthMode> modes;
+  for (const auto& [freq_Hz, order] : {std::pair{182.0, 1}, std::pair{622.0, 2}, std::pair{1265.0, 3}})
+    modes.push_back({.freq_Hz = freq_Hz, .damping_ratio = kDamping, .order = order, .amplitude_per_sqrt_kg = 1.7});
+  for (const auto& [freq_Hz, angle_deg, order] :
+       {std::tuple{1900.0, 12.0, 1}, std::tuple{1912.0, 57.0, 1}, std::tuple{2650.0, 12.0, 2}}) {
+    modes.push_back({.freq_Hz = freq_Hz,
+                     .damping_ratio = 0.003,
+                     .type = synth::SynthModeType::hoop,
+                     .order = order,
+                     .angle_rad = angle_deg * kDegree_rad,
+                     .amplitude_per_sqrt_kg = 2.7});
+  }
+  synth::SynthSpec spec = test::bat_spec(modes, 1);
+  spec.points = {{.angle_rad = 0}};
+  spec.noise = {.force = 1e-4, .accel = 1e-3};
+  return spec;
+}
+
+TEST(ChannelFindings, FindNoFaultOfABatStruckInLineWithASensor) {
+  const Analysis analysis(synth::synthesise(bat_in_line()).record, kBand);
+  EXPECT_THAT(warnings_of(analysis), Not(Contains(testing::AnyOf(StartsWith("reversed"), StartsWith("units")))));
+  ASSERT_EQ(analysis.modes().size(), 6U);
+}
+
+TEST(ChannelFindings, NameAReversedSensorOfATube) {
+  synth::SynthSpec spec = bat_in_line();
+  for (std::size_t m = 0; m < 3; ++m) spec.modes[m].angle_rad = 30 * kDegree_rad;
+  EXPECT_THAT(warnings_of(Analysis(synth::synthesise(spec).record, kBand)), Not(Contains(StartsWith("reversed"))));
+  spec.sensors[1].sign = -1;
+  EXPECT_THAT(warnings_of(Analysis(synth::synthesise(spec).record, kBand)), Contains(StartsWith("reversed: ")));
+}
+
 TEST(ChannelFindings, NameUnitsThatDiffer) {
-  const acquire::Record good = synth::synthesise(oblique_bat()).record;
+  synth::SynthSpec oblique = bat_in_line();
+  for (std::size_t m = 0; m < 3; ++m) oblique.modes[m].angle_rad = 30 * kDegree_rad;
+  const acquire::Record good = synth::synthesise(oblique).record;
   const auto scaled = [&](double first, double second) {
     return test::with_changed_accel(good, [=](std::size_t, std::size_t channel, std::vector<double>& x) {
       for (double& sample : x) sample *= channel == 0 ? first : second;
     });
   };
-  EXPECT_THAT(warnings_of(Analysis(scaled(1, 1000), kBand)), Contains(StartsWith("units_differ: ")));
+  const auto millimetres = warnings_of(Analysis(scaled(1, 1000), kBand));
+  EXPECT_THAT(millimetres, Contains(StartsWith("units_differ: ")));
+  EXPECT_THAT(millimetres, Not(Contains(StartsWith("implausible"))));
   EXPECT_THAT(warnings_of(Analysis(scaled(0.001, 1), kBand)), Contains(StartsWith("units_differ: ")));
   EXPECT_THAT(warnings_of(Analysis(scaled(2e4, 2e4), kBand)), Contains(StartsWith("implausible_motion: ")));
 }
 
 TEST(ChannelFindings, NameAReversedSensorAndOneThatRepeatsAnother) {
-  const acquire::Record good = synth::synthesise(oblique_bat()).record;
+  acquire::Record good = synth::synthesise(oblique_bat()).record;
   const auto twin = [&](double sign) {
     acquire::Record out = good;
     out.contiguous.clear();
@@ -153,8 +191,12 @@ TEST(ChannelFindings, NameAReversedSensorAndOneThatRepeatsAnother) {
     };
     return out;
   };
-  EXPECT_THAT(warnings_of(Analysis(twin(-1), kBand)), Contains(StartsWith("reversed: ")));
   EXPECT_THAT(warnings_of(Analysis(twin(1), kBand)), Contains(StartsWith("same_motion: ")));
+  // Sensors at right angles do move against each other in every mode, where the hits are halfway between them.
+  EXPECT_THAT(warnings_of(Analysis(twin(-1), kBand)),
+              AllOf(Contains(StartsWith("midway_hit: ")), Not(Contains(StartsWith("reversed")))));
+  good.accel[1].angle_rad = good.accel[0].angle_rad;
+  EXPECT_THAT(warnings_of(Analysis(twin(-1), kBand)), Contains(StartsWith("reversed: ")));
 }
 
 }  // namespace percuss::pipeline::channel_findings_test

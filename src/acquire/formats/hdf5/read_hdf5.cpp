@@ -13,6 +13,7 @@
 
 #include "acquire/channels/named_channels.hpp"
 #include "acquire/channels/signal_overrides.hpp"
+#include "acquire/channels/unit_notes.hpp"
 #include "acquire/formats/hdf5/hdf5_layout.hpp"
 #include "acquire/formats/hdf5/hdf5_points.hpp"
 #include "acquire/record/point_number.hpp"
@@ -42,12 +43,14 @@ struct SetNames {
 struct OpenRecord {
   InputHdf5 file;
   SetNames names;
-  std::optional<InputDataSet> force;
+  std::optional<InputDataSet> force;  // the set called force; its samples may be an acceleration
   InputDataSet accel;
   hdf5::Layout layout;
+  NamedRoles roles;
   double force_to_N = 1;
-  std::vector<std::size_t> channels;  // the chosen channels of /accel
-  std::vector<double> to_mps2;        // of the chosen channels
+  std::vector<double> to_mps2;  // of the accelerations
+
+  const InputDataSet& set_of(const NamedSignal& signal) const { return signal.is_force ? *force : accel; }
 };
 
 std::string list(const std::vector<std::string>& names) {
@@ -73,15 +76,20 @@ bool is_channel_name(std::string name) {
   return std::all_of(name.begin(), name.end(), is_digit);
 }
 
-// Takes the names of data sets out of the options: the rest applies to the channels of these sets.
+// Takes the names of data sets out of the options: the rest applies to the signals of these sets.
 SetNames take_set_names(const InputHdf5& file, ReadOptions& options) {
   SetNames names;
-  if (!without_slash(options.force_channel).empty()) names.force = without_slash(options.force_channel);
-  options.force_channel.clear();
+  const std::string force = without_slash(options.force_channel);
+  const bool channel = force.starts_with("accel") && is_channel_name(force) && !file.has(force);
+  if (!channel && !force.empty()) {
+    names.force = force;
+    options.force_channel = "force";
+  }
   const auto& accel = options.accel_channels;
-  const bool sets = std::any_of(accel.begin(), accel.end(),
-                                [](const std::string& name) { return !is_channel_name(without_slash(name)); });
-  if (!sets) return names;
+  const auto is_signal = [&](const std::string& name) {
+    return is_channel_name(without_slash(name)) || (without_slash(name) == "force" && names.force == "force");
+  };
+  if (std::all_of(accel.begin(), accel.end(), is_signal)) return names;
   if (accel.size() > 1) {
     throw InputError("several data sets named for the accelerations", file.path(),
                      "name one that holds [hits, channels, samples]", {"accel_channel"});
@@ -145,31 +153,61 @@ std::vector<std::optional<double>> per_channel(const OpenRecord& open, const std
   return out;
 }
 
-void describe_signals(OpenRecord& open, const ReadOptions& options, Record& record) {
-  const InputHdf5& file = open.file;
-  record.has_force = open.force.has_value();
-  if (open.force) {
-    record.force.name = "force";
-    record.force.unit = hdf5::text_attribute(open.force->id(), "unit_str", open.force->where()).value_or("");
-    apply_force_overrides(record.force, force_overrides(options, force_setup(options)), open.force->where(),
-                          record.notes);
-    open.force_to_N = record.force.to_SI;
-  }
+SignalInfo stored_signal(const OpenRecord& open, const NamedSignal& signal) {
+  const InputDataSet& set = open.set_of(signal);
+  return {.name = signal.is_force ? "force" : channel_name(signal.channel),
+          .unit = hdf5::text_attribute(set.id(), "unit_str", set.where()).value_or("")};
+}
 
-  const std::string unit = hdf5::text_attribute(open.accel.id(), "unit_str", open.accel.where()).value_or("");
+const ChannelSetup* setup_of(const OpenRecord& open, const NamedSignal& signal, const ReadOptions& options) {
+  return signal.is_force ? force_setup(options) : accel_setup(options, signal.channel, open.layout.channels);
+}
+
+// The channel of /accel whose place an acceleration has. The place of the signal called force is the one of the channel
+// that is the force in its stead; nothing without such a channel.
+std::optional<std::size_t> channel_of_place(const OpenRecord& open, const NamedSignal& signal) {
+  if (!signal.is_force) return signal.channel;
+  const auto& force = open.roles.force;
+  return force && !force->is_force ? std::optional(force->channel) : std::nullopt;
+}
+
+void describe_force(OpenRecord& open, const NamedSignal& signal, const ReadOptions& options, Record& record) {
+  record.force = stored_signal(open, signal);
+  const SignalOverrides choice = force_overrides(options, setup_of(open, signal, options));
+  const bool assumed = !states_scale(record.force, choice);
+  const std::string where = open.set_of(signal).where();
+  apply_force_overrides(record.force, choice, signal.is_force ? where : where + ", " + record.force.name, record.notes);
+  if (assumed) mark_unit_assumed(record.force);
+  open.force_to_N = record.force.to_SI;
+}
+
+void describe_signals(OpenRecord& open, const ReadOptions& options, Record& record) {
+  record.has_force = open.roles.force.has_value();
+  if (open.roles.force) describe_force(open, *open.roles.force, options, record);
   const auto angle_deg = per_channel(open, "angle_deg"), position_m = per_channel(open, "position_m");
-  open.channels = chosen_channels(options, open.layout.channels, file.path());
-  for (std::size_t i = 0; i < open.channels.size(); ++i) {
-    const std::size_t c = open.channels[i];
-    SignalInfo signal{.name = channel_name(c), .unit = unit, .position_m = position_m[c]};
-    if (angle_deg[c]) signal.angle_rad = *angle_deg[c] * kDegree_rad;
-    const ChannelSetup* const setup = accel_setup(options, c, open.layout.channels);
-    const SignalOverrides choice = accel_overrides(options, setup, i, open.channels.size(), file.path());
+  const std::size_t count = open.roles.accel.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const NamedSignal& named = open.roles.accel[i];
+    SignalInfo signal = stored_signal(open, named);
+    const auto place = channel_of_place(open, named);
+    if (place) signal.position_m = position_m[*place];
+    if (place && angle_deg[*place]) signal.angle_rad = *angle_deg[*place] * kDegree_rad;
+    const bool placed = named.is_force && (signal.position_m || signal.angle_rad);
+    const SignalOverrides choice = accel_overrides(options, setup_of(open, named, options), i, count, open.file.path());
+    const bool assumed = !states_scale(signal, choice);
     apply_overrides(signal, choice, response_quantity(signal, choice, record.has_force),
-                    open.accel.where() + ", " + signal.name);
+                    open.set_of(named).where() + ", " + signal.name);
+    if (assumed) mark_unit_assumed(signal);
+    if (placed && !(choice.angle_rad || choice.position_m)) {
+      record.notes.emplace_back(
+          fmt::format("force has the angle and the position that the file states for {}, which is the force here",
+                      channel_name(*place)),
+          std::vector<OptionId>{"angle", "position"});
+    }
     open.to_mps2.push_back(signal.to_SI);
     record.accel.push_back(std::move(signal));
   }
+  note_assumed_units(record);
 }
 
 void describe_rows(const OpenRecord& open, Record& record) {
@@ -195,7 +233,7 @@ void keep_missing_samples(const InputHdf5& file, Record& record) {
   }
 }
 
-void note_unused(const InputHdf5& file, const SetNames& used, Record& record) {
+void note_unused(const InputHdf5& file, const SetNames& used, bool with_force, Record& record) {
   // A group counts as used where it holds a set that is.
   const auto holds = [](const std::string& path, const std::string& name) {
     return path == name || path.starts_with(name + "/");
@@ -204,7 +242,7 @@ void note_unused(const InputHdf5& file, const SetNames& used, Record& record) {
   for (const std::string& name : file.names(kNamesShown)) {
     const bool signal = name == "force" || name == "accel";
     const bool known = !signal && std::find(kKnownNames.begin(), kKnownNames.end(), name) != kKnownNames.end();
-    const bool read = (record.has_force && holds(used.force, name)) || holds(used.accel, name);
+    const bool read = (with_force && holds(used.force, name)) || holds(used.accel, name);
     if (!known && !read) unused.push_back("/" + name);
   }
   if (!unused.empty()) record.notes.emplace_back("not used: " + list(unused));
@@ -224,29 +262,18 @@ void to_SI(std::span<double> samples, double factor, const std::string& where, s
   }
 }
 
-void read_force(const OpenRecord& open, std::size_t row, std::size_t first, std::span<double> out_N) {
-  assert(row < open.layout.rows && first + out_N.size() <= open.layout.samples);
-  const std::array at{row};
-  const auto index = std::span(at).first(open.layout.force_has_rows ? 1 : 0);
-  {
-    const hdf5::Lock lock;
-    open.force->read(index, first, out_N);
-  }
-  to_SI(out_N, open.force_to_N, open.force->where(), index, first);
-}
-
-void read_accel(const OpenRecord& open, std::size_t row, std::size_t channel, std::size_t first,
-                std::span<double> out_mps2) {
-  assert(row < open.layout.rows && channel < open.channels.size());
-  assert(first + out_mps2.size() <= open.layout.samples);
+void read_signal(const OpenRecord& open, const NamedSignal& signal, double factor, std::size_t row, std::size_t first,
+                 std::span<double> out) {
+  assert(row < open.layout.rows && first + out.size() <= open.layout.samples);
   std::vector<std::size_t> index;
-  if (open.layout.accel_has_rows) index.push_back(row);
-  if (open.layout.accel_has_channels) index.push_back(open.channels[channel]);
+  if (signal.is_force ? open.layout.force_has_rows : open.layout.accel_has_rows) index.push_back(row);
+  if (!signal.is_force && open.layout.accel_has_channels) index.push_back(signal.channel);
+  const InputDataSet& set = open.set_of(signal);
   {
     const hdf5::Lock lock;
-    open.accel.read(index, first, out_mps2);
+    set.read(index, first, out);
   }
-  to_SI(out_mps2, open.to_mps2[channel], open.accel.where(), index, first);
+  to_SI(out, factor, set.where(), index, first);
 }
 
 // Nothing when a signal is not contiguous in the file.
@@ -255,18 +282,27 @@ std::vector<ContiguousSignal> contiguous_signals(const OpenRecord& open) {
   const auto force = open.force ? open.force->contiguous() : accel;
   if (!accel || !force) return {};
   const std::uint64_t samples = open.layout.samples;
-  const std::uint64_t channel_bytes = samples * accel->number_bytes;
-  std::vector<ContiguousSignal> out{{.offset_bytes = force->offset_bytes,
-                                     .row_step_bytes = samples * force->number_bytes,
-                                     .number_bytes = force->number_bytes,
-                                     .to_SI = open.force_to_N}};
-  for (std::size_t i = 0; i < open.channels.size(); ++i) {
-    out.push_back({.offset_bytes = accel->offset_bytes + open.channels[i] * channel_bytes,
-                   .row_step_bytes = open.layout.channels * channel_bytes,
-                   .number_bytes = accel->number_bytes,
-                   .to_SI = open.to_mps2[i]});
-  }
+  const auto storage_of = [&](const NamedSignal& signal, double factor) -> ContiguousSignal {
+    const auto& set = signal.is_force ? force : accel;
+    const std::uint64_t channel_bytes = samples * set->number_bytes;
+    return {.offset_bytes = set->offset_bytes + signal.channel * channel_bytes,
+            .row_step_bytes = (signal.is_force ? 1 : open.layout.channels) * channel_bytes,
+            .number_bytes = set->number_bytes,
+            .to_SI = factor};
+  };
+  // Without a force, the first entry is not read.
+  std::vector<ContiguousSignal> out{storage_of(open.roles.force.value_or(NamedSignal{}), open.force_to_N)};
+  for (std::size_t i = 0; i < open.roles.accel.size(); ++i)
+    out.push_back(storage_of(open.roles.accel[i], open.to_mps2[i]));
   return out;
+}
+
+// Whether the options or the set-up name a channel of the accelerations as the force.
+bool gives_force_to_channel(const ReadOptions& options) {
+  const bool by_option = !options.force_channel.empty() && options.force_channel != "force";
+  return by_option || std::any_of(options.setup.begin(), options.setup.end(), [](const ChannelSetup& entry) {
+           return entry.role == "force" && is_channel_name(without_slash(entry.name));
+         });
 }
 
 std::unique_ptr<OpenRecord> open_sets(const std::string& path, ReadOptions& options) {
@@ -274,11 +310,18 @@ std::unique_ptr<OpenRecord> open_sets(const std::string& path, ReadOptions& opti
   const SetNames names = take_set_names(file, options);
   std::optional<InputDataSet> force;
   const bool named = names.force != SetNames{}.force;
-  if (!options.force_optional || named || file.has(names.force)) force = open_required(file, names.force);
+  const bool optional = options.force_optional || gives_force_to_channel(options);
+  if (!optional || named || file.has(names.force)) force = open_required(file, names.force);
   InputDataSet accel = open_required(file, names.accel);
   const hdf5::Layout layout = force ? hdf5::layout_of(*force, accel, file) : hdf5::layout_of(accel);
-  return std::make_unique<OpenRecord>(OpenRecord{
-      .file = std::move(file), .names = names, .force = std::move(force), .accel = std::move(accel), .layout = layout});
+  NamedRoles roles = named_roles(options, layout.channels, force.has_value(), path);
+  return std::make_unique<OpenRecord>(OpenRecord{.file = std::move(file),
+                                                 .names = names,
+                                                 .force = std::move(force),
+                                                 .accel = std::move(accel),
+                                                 .layout = layout,
+                                                 .roles = std::move(roles),
+                                                 .to_mps2 = {}});
 }
 
 }  // namespace
@@ -298,7 +341,7 @@ Record open_hdf5(const std::string& path, const ReadOptions& stated) {
   record.geometry = hdf5::read_geometry(opened->file);
   record.trace_lines = hdf5::read_trace_lines(opened->file, record.geometry.size());
   record.trace_faces = hdf5::read_trace_faces(opened->file, record.geometry.size());
-  note_unused(opened->file, opened->names, record);
+  note_unused(opened->file, opened->names, opened->force.has_value(), record);
   record.contiguous = contiguous_signals(*opened);
   // Closing the data sets uses the library, so the deleter needs a lock.
   const std::shared_ptr<const OpenRecord> open(opened.release(), [](const OpenRecord* last) {
@@ -306,11 +349,11 @@ Record open_hdf5(const std::string& path, const ReadOptions& stated) {
     delete last;
   });
   record.read_force_N = [open](std::size_t row, std::size_t first, std::span<double> out) {
-    read_force(*open, row, first, out);
+    read_signal(*open, *open->roles.force, open->force_to_N, row, first, out);
   };
   if (!record.has_force) record.read_force_N = no_force();
   record.read_accel_mps2 = [open](std::size_t row, std::size_t channel, std::size_t first, std::span<double> out) {
-    read_accel(*open, row, channel, first, out);
+    read_signal(*open, open->roles.accel.at(channel), open->to_mps2.at(channel), row, first, out);
   };
   return record;
 }

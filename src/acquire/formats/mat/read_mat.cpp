@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "acquire/channels/column_words.hpp"
 #include "acquire/channels/csv_columns.hpp"
 #include "acquire/channels/signal_table.hpp"
+#include "acquire/formats/mat/mat_channels.hpp"
 #include "acquire/formats/mat/mat_description.hpp"
 #include "acquire/formats/mat/mat_guess.hpp"
 #include "acquire/formats/mat/mat_layout.hpp"
@@ -21,15 +23,29 @@
 namespace percuss::acquire {
 namespace {
 
+using ChannelMap = std::map<std::string, MatChannel>;
+
+// The unit that the file states for a variable; for a channel, the unit of the variable that held it.
+std::string stated_unit(const MatFile& file, const MatVariable& variable, const ChannelMap& split) {
+  const auto channel = split.find(variable.name);
+  return unit_in(file, channel == split.end() ? variable.name : channel->second.variable);
+}
+
+// "g" of "acc_g", and of its channel "acc_g 2".
+std::string unit_in_variable_name(const std::string& name, const ChannelMap& split) {
+  const auto channel = split.find(name);
+  return split_name(channel == split.end() ? name : channel->second.variable).unit;
+}
+
 // Lists each variable as one signal, to find the roles. lay_out divides variables into channels.
-SignalTable variables_of(const MatFile& file, std::vector<std::size_t>& index) {
+SignalTable variables_of(const MatFile& file, const ChannelMap& split, std::vector<std::size_t>& index) {
   SignalTable table;
   table.files.push_back({.path = file.path, .bytes = file.bytes});
   table.format = "MAT";
   for (std::size_t v = 0; v < file.variables.size(); ++v) {
     if (!may_be_signal(file.variables[v])) continue;
     const MatVariable& variable = file.variables[v];
-    table.signals.push_back({.name = variable.name, .unit = unit_in(file, variable.name)});
+    table.signals.push_back({.name = variable.name, .unit = stated_unit(file, variable, split)});
     table.signals.back().shape = shape_name(variable.shape) + (variable.is_complex() ? " complex" : "");
     index.push_back(v);
   }
@@ -128,9 +144,37 @@ const std::string& name_beside(const OpenMat& open, const SignalRoles& roles, co
   return open.file.variables[index[roles.has_force ? roles.force : roles.accel.front()]].name;
 }
 
+// The angles and positions of the accelerations. They are stated for all channels of a variable. An acceleration in
+// the stead of a channel that is the force has the place of that channel.
+void place_signals(const OpenMat& open, std::size_t first_accel, const ChannelMap& split,
+                   std::vector<TableSignal>& signals, std::vector<Message>& notes) {
+  const auto name_of = [&](std::size_t signal) { return open.file.variables[open.sources[signal].variable].name; };
+  const std::string beside = name_of(0);
+  const std::size_t accels = signals.size() - first_accel;
+  std::size_t whole = 0;  // accelerations that are no channels of a split variable
+  for (std::size_t c = 0; c < accels; ++c) whole += split.contains(name_of(first_accel + c)) ? 0U : 1U;
+  const auto as_force = first_accel == 0 || whole != 1 ? split.end() : split.find(name_of(0));
+  for (std::size_t c = 0; c < accels; ++c) {
+    TableSignal& signal = signals[first_accel + c];
+    const auto own = split.find(name_of(first_accel + c));
+    const bool instead = own == split.end() && as_force != split.end();
+    const auto& stated = instead ? as_force : own;
+    const MatChannel place = stated == split.end() ? MatChannel{.channel = c, .channels = accels} : stated->second;
+    const auto angle_deg = per_channel(open.file, "angle_deg", place.channels, beside)[place.channel];
+    if (angle_deg) signal.angle_rad = *angle_deg * kDegree_rad;
+    signal.position_m = per_channel(open.file, "position_m", place.channels, beside)[place.channel];
+    if (instead && (signal.angle_rad || signal.position_m)) {
+      notes.emplace_back(fmt::format("{} has the angle and the position that the file states for {}, which is the "
+                                     "force here",
+                                     one_line(signal.name, 40), one_line(as_force->first, 40)),
+                         std::vector<OptionId>{"angle", "position"});
+    }
+  }
+}
+
 // Signal 0 is the force, if there is one; the channels of each acceleration follow.
 void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::size_t>& index, const ReadOptions& options,
-             SignalTable& table) {
+             const ChannelMap& split, SignalTable& table) {
   std::vector<TableSignal> signals;
   MatLayout layout;
   if (roles.has_force) {
@@ -152,18 +196,12 @@ void lay_out(OpenMat& open, const SignalRoles& roles, const std::vector<std::siz
     for (std::size_t c = 0; c < channels.size(); ++c) {
       const bool one = channels.size() == 1 && variable.name != "accel";
       signals.push_back({.name = variable.name + (one ? "" : fmt::format(" {}", c + 1)), .unit = unit});
-      if (unit.empty() && parse_unit(split_name(variable.name).unit))
-        signals.back().unit = split_name(variable.name).unit;
+      const std::string own_unit = unit_in_variable_name(variable.name, split);
+      if (unit.empty() && parse_unit(own_unit)) signals.back().unit = own_unit;
       open.sources.push_back({index[role], channels[c]});
     }
   }
-  const std::size_t accels = signals.size() - first_accel;
-  const auto angle_deg = per_channel(open.file, "angle_deg", accels, beside);
-  const auto position_m = per_channel(open.file, "position_m", accels, beside);
-  for (std::size_t c = 0; c < accels; ++c) {
-    if (angle_deg[c]) signals[first_accel + c].angle_rad = *angle_deg[c] * kDegree_rad;
-    signals[first_accel + c].position_m = position_m[c];
-  }
+  place_signals(open, first_accel, split, signals, table.notes);
   table.signals = std::move(signals);
   const std::vector<int> point = numbers_of_hits(open.file, "point", layout.rows, beside, table.notes);
   const std::vector<int> run = numbers_of_hits(open.file, "run", layout.rows, beside, table.notes);
@@ -212,8 +250,9 @@ Record open_mat(MatFile file, const ReadOptions& options) {
   auto open = std::make_shared<OpenMat>();
   open->file = std::move(file);
   add_named_columns(open->file, options);
+  const ChannelMap split = split_channels(open->file, options);
   std::vector<std::size_t> index;
-  SignalTable table = variables_of(open->file, index);
+  SignalTable table = variables_of(open->file, split, index);
   table.notes = open->file.notes;
   const auto rate_Hz = mat_rate_Hz(open->file, options);
   table.fs_Hz = rate_Hz.value_or(0);
@@ -225,7 +264,7 @@ Record open_mat(MatFile file, const ReadOptions& options) {
     throw InputError("no sampling rate among the variables", open->file.path, "state it in Hz, or name its variable",
                      {"fs"});
   }
-  lay_out(*open, variables, index, options, table);
+  lay_out(*open, variables, index, options, split, table);
   const std::string beside = name_beside(*open, variables, index);
   table.geometry = geometry_in(open->file, beside);
   take_connections(open->file, table, beside);

@@ -198,7 +198,8 @@ TEST_F(Hdf5Limits, AttributesMayBeIntegersAndBlankTexts) {
   }
   const Record record = open_hdf5(path_);
   EXPECT_EQ(record.fs_Hz, 250);
-  EXPECT_EQ(record.accel[0].unit, "");
+  EXPECT_EQ(record.accel[0].unit, "m/s^2");
+  EXPECT_TRUE(record.accel[0].unit_assumed);
 }
 
 TEST_F(Hdf5Limits, AttributesOfAnotherKindAreRefused) {

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "acquire/formats/hdf5/read_hdf5.hpp"
+#include "acquire/record/contiguous_samples.hpp"
 #include "core/units.hpp"
 #include "support/files/hdf5_builder.hpp"
 #include "support/input_error.hpp"
@@ -53,7 +54,9 @@ TEST_F(Hdf5Read, DescribesHitsAndChannelsAndReadsThem) {
       .values("point", {3}, {4, 4, 7}, {.type = H5T_STD_I32LE})
       .values("run", {3}, {0, 1, 1}, {.type = H5T_STD_I64BE})
       .values("geometry", {2, 3}, {0, 1, 2, 3, 4, 5})
-      .ramp("deflection", {3, 50});
+      .ramp("deflection", {3, 50})
+      .text("force", "unit_str", "N", true)
+      .text("accel", "unit_str", "m/s^2", true);
   const Record record = open_hdf5(path_);
   EXPECT_EQ(record.format, "HDF5");
   EXPECT_EQ(record.fs_Hz, 25600);
@@ -187,6 +190,7 @@ TEST_F(Hdf5Read, KeepsAForceInVoltsWithANote) {
       .numbers("", "fs", {1000})
       .ramp("force", {2, 9})
       .ramp("accel", {2, 9})
+      .text("accel", "unit_str", "m/s^2")
       .text("force", "unit_str", "mV");
   const Record record = open_hdf5(path_, {});
   ASSERT_EQ(record.notes.size(), 1u);
@@ -208,7 +212,7 @@ TEST_F(Hdf5Read, ReadsDataSetsThatTheOptionsName) {
     Hdf5Builder file(path_);
     H5Gclose(H5Gcreate2(file.id(), "measurement", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
     file.numbers("", "fs", {1000}).ramp("measurement/hammer", {2, 9}).ramp("measurement/acc", {2, 3, 9});
-    file.ramp("spare", {4});
+    file.text("measurement/hammer", "unit_str", "N").text("measurement/acc", "unit_str", "m/s^2").ramp("spare", {4});
   }
   const Record record =
       open_hdf5(path_, {.force_channel = "/measurement/hammer", .accel_channels = {"measurement/acc"}});
@@ -226,6 +230,70 @@ TEST_F(Hdf5Read, ReadsDataSetsThatTheOptionsName) {
               testing::ElementsAre("force_channel", "accel_channel"));
 }
 
+// The hammer was plugged into the first channel, and the first sensor into the hammer's.
+TEST_F(Hdf5Read, ExchangesTheForceAndAChannelByTheirNames) {
+  Hdf5Builder(path_)
+      .numbers("", "fs", {1000})
+      .ramp("force", {2, 9})
+      .ramp("accel", {2, 2, 9})
+      .text("force", "unit_str", "N")
+      .text("accel", "unit_str", "m/s^2")
+      .numbers("accel", "angle_deg", {0, 90});
+  const auto expect_exchanged = [&](const ReadOptions& options) {
+    const Record record = open_hdf5(path_, options);
+    EXPECT_EQ(record.force.name, "accel 1");
+    EXPECT_EQ(force_N(record, 1), ramp(18, 9));
+    ASSERT_EQ(record.accel.size(), 2u);
+    EXPECT_EQ(record.accel[0].name, "force");
+    EXPECT_EQ(accel_mps2(record, 0, 1), ramp(9, 9));
+    EXPECT_EQ(accel_mps2(record, 1, 1), ramp(27, 9));
+    EXPECT_EQ(record.accel[0].angle_rad, 0) << "the place of the channel that is the force";
+    EXPECT_DOUBLE_EQ(record.accel[1].angle_rad.value(), std::numbers::pi / 2);
+    EXPECT_THAT(test::texts(record.notes), testing::ElementsAre(HasSubstr("states for accel 1, which is the force")));
+    EXPECT_EQ(record.contiguous.size(), 3u);
+    // The samples that are read directly from the file are the same ones.
+    const Record direct = with_contiguous_readers(record);
+    EXPECT_EQ(force_N(direct, 1), ramp(18, 9));
+    EXPECT_EQ(accel_mps2(direct, 0, 1), ramp(9, 9));
+    EXPECT_EQ(accel_mps2(direct, 1, 0), ramp(9, 9));
+  };
+  expect_exchanged(
+      {.force_channel = "accel 1", .accel_channels = {"force", "accel 2"}, .force_unit = "N", .accel_unit = "m/s^2"});
+  expect_exchanged({.force_unit = "N",
+                    .accel_unit = "m/s^2",
+                    .setup = {{.name = "accel 1", .role = "force"},
+                              {.name = "force", .role = "acceleration"},
+                              {.name = "accel 2", .role = "acceleration"}}});
+  const Record one = open_hdf5(path_, {.force_channel = "accel 2", .force_unit = "N"});
+  ASSERT_EQ(one.accel.size(), 1u);
+  EXPECT_EQ(one.accel[0].name, "accel 1");
+  EXPECT_EQ(force_N(one, 0), ramp(9, 9));
+  // The units of the file are those of its own roles.
+  EXPECT_THAT(input_error_of([&] { open_hdf5(path_, {.force_channel = "accel 1", .accel_channels = {"force"}}); }),
+              HasSubstr("\"m/s^2\" measures an acceleration, not a force"));
+  EXPECT_THAT(test::options_of_error([&] { open_hdf5(path_, {.force_channel = "accel 1"}); }),
+              testing::ElementsAre("force_unit"));
+}
+
+TEST_F(Hdf5Read, FindsTheForceAmongTheChannels) {
+  Hdf5Builder(path_).numbers("", "fs", {1000}).ramp("accel", {2, 3, 9});
+  const Record record = open_hdf5(path_, {.force_channel = "accel 1"});
+  EXPECT_EQ(force_N(record, 1), ramp(27, 9));
+  ASSERT_EQ(record.accel.size(), 2u);
+  EXPECT_EQ(accel_mps2(record, 1, 0), ramp(18, 9));
+}
+
+TEST_F(Hdf5Read, SaysWhichUnitsItAssumes) {
+  Hdf5Builder(path_).numbers("", "fs", {1000}).ramp("force", {2, 9}).ramp("accel", {2, 2, 9});
+  const Record record = open_hdf5(path_);
+  EXPECT_THAT(test::texts(record.notes),
+              testing::ElementsAre("the unit of force is not stated; taken as N",
+                                   "the units of accel 1 and accel 2 are not stated; taken as m/s^2"));
+  EXPECT_TRUE(record.force.unit_assumed);
+  EXPECT_THAT(open_hdf5(path_, {.force_unit = "N", .accel_unit = "g"}).notes, testing::IsEmpty());
+  EXPECT_THAT(open_hdf5(path_, {.force_scale = {2}, .accel_scale = {3}}).notes, testing::IsEmpty());
+}
+
 TEST_F(Hdf5Read, RefusesChannelsThatDoNotExist) {
   Hdf5Builder(path_).numbers("", "fs", {1000}).ramp("force", {2, 9}).ramp("accel", {2, 2, 9});
   const auto message = [&](const ReadOptions& options) { return input_error_of([&] { open_hdf5(path_, options); }); };
@@ -234,7 +302,12 @@ TEST_F(Hdf5Read, RefusesChannelsThatDoNotExist) {
   EXPECT_THAT(message({.accel_channels = {"1", "accel 1"}}), HasSubstr("twice"));
   EXPECT_THAT(message({.force_channel = "hammer"}), HasSubstr("force"));
   EXPECT_THAT(message({.setup = {{.name = "accel 9"}}}), HasSubstr("accel 9"));
-  EXPECT_THAT(message({.setup = {{.name = "accel 1", .role = "force"}}}), HasSubstr("role"));
+  EXPECT_THAT(message({.force_channel = "accel 3"}), HasSubstr("no force channel accel 3"));
+  EXPECT_THAT(message({.accel_channels = {"force"}}), HasSubstr("is named as an acceleration and is the force"));
+  EXPECT_THAT(message({.force_channel = "accel 1", .accel_channels = {"force", "accel 1"}}),
+              HasSubstr("is named as an acceleration and is the force"));
+  EXPECT_THAT(message({.setup = {{.name = "force", .role = "acceleration"}}}),
+              HasSubstr("give the role force to another channel"));
   EXPECT_THAT(message({.angle_rad = {0, 1, 2}}), HasSubstr("3 values for 2 acceleration channels (" + path_ + ");"));
 }
 

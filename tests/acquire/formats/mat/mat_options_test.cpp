@@ -74,6 +74,51 @@ TEST(MatOptions, DoNotMakeComplexNumbersReal) {
   EXPECT_THAT(refusal_of(file, {.force_channel = "plain", .accel_channels = {"data"}}), HasSubstr("data is complex"));
 }
 
+// The hammer was plugged into the first channel, and the first sensor into the hammer's.
+TEST(MatOptions, ExchangeTheForceAndAChannelByTheirNames) {
+  const MatFile two_dimensions = example({mat_numbers("angle_deg", {1, 2}, {0, 90})});
+  // [hits, channels, samples], with one sample of each hit side by side.
+  const MatFile three_dimensions = mat_record_of(
+      {mat_numbers("force", {2, 3}, {1, 10, 2, 20, 3, 30}),
+       mat_numbers("accel", {2, 2, 3}, {4, 40, 7, 70, 5, 50, 8, 80, 6, 60, 9, 90}), mat_text("force_unit", "N"),
+       mat_text("accel_unit", "m/s^2"), mat_numbers("angle_deg", {1, 2}, {0, 90})});
+  for (const MatFile& file : {two_dimensions, three_dimensions}) {
+    for (const ReadOptions& options : {ReadOptions{.force_channel = "accel 1",
+                                      .accel_channels = {"force", "accel 2"},
+                                      .force_unit = "N",
+                                      .accel_unit = "m/s^2"},
+                                       ReadOptions{.force_unit = "N",
+                                       .accel_unit = "m/s^2",
+                                       .setup = {{.name = "accel 1", .role = "force"},
+                                                 {.name = "force", .role = "acceleration"},
+                                                 {.name = "accel 2", .role = "acceleration"}}}}) {
+      const Record record = open_mat(file, options);
+      EXPECT_EQ(record.force.name, "accel 1");
+      EXPECT_THAT(force_N(record), ElementsAre(4, 5, 6));
+      ASSERT_EQ(record.accel.size(), 2U);
+      EXPECT_EQ(record.accel[0].name, "force");
+      EXPECT_THAT(accel_mps2(record, 0), ElementsAre(1, 2, 3));
+      EXPECT_EQ(record.accel[1].name, "accel 2");
+      EXPECT_THAT(accel_mps2(record, 1), ElementsAre(7, 8, 9));
+      EXPECT_EQ(record.accel[0].angle_rad, 0) << "the place of the channel that is the force";
+      EXPECT_NEAR(record.accel[1].angle_rad.value(), 1.5707963, 1e-6);
+    }
+  }
+  const Record alone = open_mat(three_dimensions, {.force_channel = "accel 2", .force_unit = "N"});
+  ASSERT_EQ(alone.accel.size(), 1U);
+  EXPECT_THAT(accel_mps2(alone), ElementsAre(4, 5, 6));
+  EXPECT_EQ(alone.accel[0].angle_rad, 0);
+  EXPECT_THAT(refusal_of(three_dimensions, {.force_channel = "accel 1"}), HasSubstr("not a force"));
+  EXPECT_THAT(refusal_of(three_dimensions, {.force_channel = "accel 3"}), HasSubstr("no column \"accel 3\""));
+}
+
+TEST(MatOptions, SetUpAChannelByItsName) {
+  const Record record = open_mat(example(), {.setup = {{.name = "accel 2", .sign = -1}}});
+  ASSERT_EQ(record.accel.size(), 2U);
+  EXPECT_THAT(accel_mps2(record, 0), ElementsAre(4, 5, 6));
+  EXPECT_THAT(accel_mps2(record, 1), ElementsAre(-7, -8, -9));
+}
+
 TEST(MatOptions, IgnoreAndChooseChannels) {
   const Record second = open_mat(example(), {.setup = {{.name = "accel 1", .role = "ignore"}}});
   ASSERT_EQ(second.accel.size(), 1U);

@@ -1,0 +1,25 @@
+#pragma once
+#include <cstddef>
+#include <map>
+#include <string>
+
+#include "acquire/formats/mat/mat_file.hpp"
+#include "acquire/record/record.hpp"
+
+namespace percuss::acquire {
+
+/// A channel that was split off a variable with several channels.
+struct MatChannel {
+  std::string variable;      // that held it
+  std::size_t channel = 0;   // counted from 0 …
+  std::size_t channels = 0;  // … of these
+};
+
+/// Turns a variable of several channels into one variable per channel, "accel 1", "accel 2", …, where the options or
+/// the set-up give such a channel a role of its own: where they name it as the force, name it in the set-up, or name it
+/// as an acceleration beside a variable. Returns the new variables by their names. Three dimensions are [hits,
+/// channels, samples] or [samples, channels, hits]; two are time and channels where another variable is a vector over
+/// this time.
+std::map<std::string, MatChannel> split_channels(MatFile& file, const ReadOptions& options);
+
+}  // namespace percuss::acquire

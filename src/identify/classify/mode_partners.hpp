@@ -1,0 +1,15 @@
+#pragma once
+#include <vector>
+
+#include "identify/classify/classify.hpp"
+#include "identify/classify/type_posterior.hpp"
+
+namespace percuss::identify {
+
+/// Whether two frequencies are near enough for one mode of a tube in its two planes.
+bool near_enough_for_one_mode(double a_Hz, double b_Hz, const ClassifyOptions& options);
+
+/// Sets TypeEvidence::partner of every two modes that are nearest to each other, and near enough for one mode.
+void find_partners(std::vector<TypeEvidence>& modes, const ClassifyOptions& options);
+
+}  // namespace percuss::identify

@@ -1,0 +1,42 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "identify/shapes/scan_shape.hpp"
+
+namespace percuss::identify {
+
+/// A mode's amplitude on the scale of a ScanShape, as one hit gives it.
+struct AmplitudeOfHit {
+  double value = 0;
+  double std = 0;    // from the noise of the hit
+  double power = 1;  // its weight in the average over the hits of its point
+};
+
+/// A mode along a scan, and its amplitude in each hit: [points of the shape][hits].
+struct HitsAlongScan {
+  ScanShape shape;
+  std::vector<std::vector<AmplitudeOfHit>> hits;
+};
+
+/// The scatter of the hits of a scan about their places, common to all points and modes.
+struct ScanScatter {
+  double position_std_m = 0;      // of a hit along the scan
+  double relative_std = 0;        // of a hit's amplitude: its direction, the hammer's gain
+  double degrees_of_freedom = 0;  // hits less points
+};
+
+/// The variance of one hit's amplitude about the mean of its point is taken as
+///   σ² = σ_noise² + (φ′ σ_x)² + (φ σ_g)²                                                                     (1)
+/// with the shape φ and its slope φ′ at the point. σ_x and σ_g fit the variances of all points and modes, by weighted
+/// least squares with weights from (1). The scatter of the few hits of a single point would be known by a factor only.
+/// Nothing where the hits do not scatter significantly beyond their noise, and without two hits at a point.
+/// theory (5.10)
+std::optional<ScanScatter> scatter_along_scan(std::span<const HitsAlongScan> modes);
+
+/// The shape with standard deviations from (1), of the mean over the hits of each point. A point without hits keeps its
+/// standard deviation.
+ScanShape with_scatter(const HitsAlongScan& mode, const ScanScatter& scatter);
+
+}  // namespace percuss::identify
