@@ -87,9 +87,8 @@ std::vector<Warning> missing_result_warnings(const ResponseTest& test) {
   std::vector<Warning> modes = missing_modes(test);
   out.insert(out.end(), std::make_move_iterator(modes.begin()), std::make_move_iterator(modes.end()));
   if (!test.possible() && !test.no_impact && constant.size() < test.record.accel.size()) {
-    const bool acceptable = std::any_of(test.hits.begin(), test.hits.end(), [](const ResponseHit& hit) {
-      return !hit.accepted && can_be_accepted(hit);
-    });
+    const bool acceptable = std::any_of(test.hits.begin(), test.hits.end(),
+                                        [](const ResponseHit& hit) { return !hit.accepted && can_be_accepted(hit); });
     Warning warning{"no_free_decay", "no impact is followed by a free decay", {"from"}};
     if (acceptable) warning.options = {"accept_hit", "from"};
     out.push_back(with_remedy(std::move(warning), "record longer after each impact"));

@@ -158,8 +158,8 @@ double header_rate_Hz(const CsvHeader& header, const std::string& file) {
 }
 
 // The rate from times of day; from the header where they give none, for instance in whole seconds.
-double clock_rate_Hz(const CsvTable& table, const CsvTimes& times, std::vector<CsvRow>& rows,
-                     const std::string& file, std::vector<Message>& notes) {
+double clock_rate_Hz(const CsvTable& table, const CsvTimes& times, std::vector<CsvRow>& rows, const std::string& file,
+                     std::vector<Message>& notes) {
   const CsvHeader& header = table.header();
   StampProblem problem;
   std::optional<StampedRate> stamped;
