@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace percuss::significance_test {
 
 // The tables have four decimals.
@@ -26,6 +28,20 @@ TEST(Chi2Deviate, IsTheNormalDeviateOfTheSameProbability) {
   EXPECT_NEAR(chi2_deviate(9.488, 4), 1.645, 0.02) << "95 %";
   EXPECT_NEAR(chi2_deviate(18.467, 4), 3.09, 0.05) << "99.9 %";
   EXPECT_NEAR(chi2_deviate(10.828, 1), 3.09, 0.06) << "99.9 %";
+}
+
+TEST(UpperTail, IsTheProbabilityOfANormalDeviate) {
+  EXPECT_NEAR(upper_tail(0), 0.5, 1e-15);
+  EXPECT_NEAR(upper_tail(3.0902), 1e-3, 1e-7);
+  EXPECT_NEAR(upper_tail(-3.0902), 0.999, 1e-7);
+}
+
+TEST(ChanceOfCount, IsTheTailOfTheBinomialDistribution) {
+  EXPECT_NEAR(chance_of_count(1, 1, 0.2), 0.2, 1e-12);
+  EXPECT_NEAR(chance_of_count(2, 2, 0.5), 0.25, 1e-12);
+  EXPECT_NEAR(chance_of_count(1, 20, 1e-3), 1 - std::pow(1 - 1e-3, 20), 1e-12);
+  EXPECT_NEAR(chance_of_count(2, 20, 1e-3), 190e-6, 3e-6) << "190 pairs";
+  EXPECT_EQ(chance_of_count(3, 20, 0), 0);
 }
 
 }  // namespace percuss::significance_test
