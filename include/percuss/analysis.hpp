@@ -51,7 +51,7 @@ struct AnalysisOptions {
   Estimator estimator = Estimator::h1;  // of frfs(); modes are fitted to H1
   HitOptions hits{};
   std::optional<std::size_t> modes{};  // report this many, the clearest ones
-  std::vector<double> start_Hz{};      // fit modes near these frequencies and no others
+  std::vector<double> start_Hz{};      // list modes near these frequencies and no others
   double exponential = 0;              // exponential window that falls to this fraction at a hit's end; 0: none
   std::vector<double> delay_s{};       // delays of the accelerations to take out; one for all or one per channel
   bool auto_delay = false;             // take out the delays that the phases of the modes show, in place of delay_s

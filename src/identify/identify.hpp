@@ -12,16 +12,20 @@ namespace percuss::identify {
 struct IdentifyOptions {
   Effort effort = Effort::best;
   std::optional<std::size_t> modes;  // largest number of modes, see keep_clearest()
-  std::vector<double> start_Hz;      // fit at most one mode from each of these frequencies, and no others
+  std::vector<double> start_Hz;      // return at most one mode near each of these frequencies, and no others
 };
 
-/// The modes of a set of FRFs in ascending frequency, with one standard deviation of each value.
+/// The modes of a set of FRFs in ascending frequency, with one standard deviation of each value. With stated
+/// frequencies: the modes of the search that they name, and the modes fitted from the others (with_started_modes).
 std::vector<Mode> identify_modes(const FrfDataset& set, const IdentifyOptions& options = {});
+
+/// Fits at most one mode from each of these frequencies, without a search.
+std::vector<Mode> modes_from_frequencies(const FrfDataset& set, const std::vector<double>& freq_Hz, Effort effort);
 
 /// The modes that a fit finds from the poles of another test. Poles that are no modes of `set` are left out.
 std::vector<Mode> modes_from_poles(const FrfDataset& set, const std::vector<Pole>& poles, Effort effort);
 
-/// The frequencies of options.start_Hz at which identify_modes() found no mode, and why. Repeats the fit.
+/// The frequencies of options.start_Hz at which identify_modes() found no mode, and why. Repeats the search.
 std::vector<RefusedStart> refused_starts(const FrfDataset& set, const IdentifyOptions& options);
 
 /// Keeps the `count` modes whose damping ratios have the smallest relative standard deviations, in ascending frequency.

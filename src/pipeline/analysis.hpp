@@ -13,6 +13,7 @@
 #include "core/trace.hpp"
 #include "identify/model/frf_synthesis.hpp"
 #include "identify/start/unmodelled_peaks.hpp"
+#include "identify/started_modes.hpp"
 #include "pipeline/analysis_options.hpp"
 #include "pipeline/channels/channel_findings.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
@@ -135,6 +136,10 @@ class Analysis {
   // measured_spectra() without the earlier ringing.
   TestSpectra spectra() const;
   identify::IdentifyOptions all_modes() const;
+  // The modes of the starting frequencies that name no mode found.
+  void add_started_modes(std::vector<identify::Mode>& found) const;
+  // Leaves out the modes that no starting frequency names, if there are any.
+  void keep_started_modes(std::vector<identify::Mode>& modes) const;
   std::vector<AnalysedHit> compute_hits() const;
   const std::vector<identify::ModeClassification>& types() const;
   const std::vector<Eigen::VectorXcd>& modal_sums() const;
@@ -161,8 +166,12 @@ class Analysis {
   Lazy<std::vector<acquire::PointFrf>> frfs_;
   Lazy<identify::FrfDataset> fitted_frfs_;
   Lazy<std::vector<identify::Mode>> modes_;
-  mutable std::vector<identify::Mode> margin_modes_;  // below the band; set with modes_
-  mutable std::vector<identify::Mode> band_modes_;    // all within the band, if modes_ holds a part of them
+  mutable std::vector<identify::Mode> margin_modes_;            // below the band; set with modes_
+  mutable std::vector<identify::Mode> band_modes_;              // all within the band, if modes_ holds a part of them
+  mutable std::vector<identify::Mode> unlisted_modes_;          // within the band, which no starting frequency names
+  mutable std::vector<identify::RefusedStart> refused_starts_;  // set with modes_
+  mutable std::optional<double>
+      residual_end_Hz_;  // towards which the residual of misfitting modes grows; set with modes_
   // unmodelled_poles of all modes, where the search around unmodelled resonances added no mode; set with modes_
   mutable std::optional<std::vector<identify::Pole>> searched_poles_;
   Lazy<std::vector<identify::Mode>> modes_below_;

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/parallel/parallel.hpp"
+#include "identify/misfit/residual_end.hpp"
 #include "pipeline/analysis.hpp"
 #include "pipeline/stages/cancelled_tones.hpp"
 #include "pipeline/stages/hidden_modes.hpp"
@@ -10,6 +11,7 @@
 #include "pipeline/stages/single_hits.hpp"
 #include "pipeline/stages/stated_noise.hpp"
 #include "pipeline/stages/tone_modes.hpp"
+#include "pipeline/warnings/hit_scatter_warnings.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -21,11 +23,35 @@ std::vector<Tone> joined(std::vector<Tone> tones, const std::vector<Tone>& more)
 
 }  // namespace
 
-// The number of modes that the options state limits the modes within the band, not the modes of its margin.
-identify::IdentifyOptions Analysis::all_modes() const {
-  identify::IdentifyOptions all = options_.modes;
-  all.modes.reset();
-  return all;
+// The number of modes that the options state limits the modes within the band, not the modes of its margin. Modes that
+// no stated frequency names take part in the fit, so that they do not falsify the others.
+identify::IdentifyOptions Analysis::all_modes() const { return {.effort = options_.modes.effort}; }
+
+void Analysis::add_started_modes(std::vector<identify::Mode>& found) const {
+  const std::vector<double>& start_Hz = options_.modes.start_Hz;
+  if (start_Hz.empty()) return;
+  identify::StartedModes started =
+      identify::with_started_modes(fitted_frfs(), std::move(found), start_Hz, options_.modes.effort);
+  found = std::move(started.modes);
+  refused_starts_ = std::move(started.refused);
+}
+
+void Analysis::keep_started_modes(std::vector<identify::Mode>& modes) const {
+  const std::vector<double>& start_Hz = options_.modes.start_Hz;
+  if (start_Hz.empty()) return;
+  const auto named = identify::modes_of_starts(lines(), modes, start_Hz);
+  std::erase_if(refused_starts_, [&](const identify::RefusedStart& one) {
+    const auto start = std::find(start_Hz.begin(), start_Hz.end(), one.asked_Hz);
+    return named[static_cast<std::size_t>(start - start_Hz.begin())].has_value();
+  });
+  std::vector<char> is_named(modes.size(), 0);
+  for (const std::optional<std::size_t>& mode : named) {
+    if (mode) is_named[*mode] = 1;
+  }
+  std::vector<identify::Mode> listed;
+  for (std::size_t m = 0; m < modes.size(); ++m)
+    (is_named[m] ? listed : unlisted_modes_).push_back(std::move(modes[m]));
+  modes = std::move(listed);
 }
 
 const identify::FrfDataset& Analysis::fitted_frfs() const {
@@ -48,7 +74,11 @@ const std::vector<identify::Mode>& Analysis::modes() const {
       const identify::IdentifyOptions all = all_modes();
       std::vector<identify::Mode> found =
           first_modes_ ? std::move(first_modes_->modes) : identify::identify_modes(set, all);
-      if (const acquire::FrfRecord* given = given_frfs()) widen_to_stated_noise(*given, set, found);
+      const acquire::FrfRecord* const given = given_frfs();
+      if (given) {
+        add_started_modes(found);
+        widen_to_stated_noise(*given, set, found);
+      }
       std::optional<identify::HitFrfs> built;
       const auto hits = [&]() -> const identify::HitFrfs& {
         if (!built) built = single_hits(set, from, comparable_hits(from));
@@ -60,13 +90,17 @@ const std::vector<identify::Mode>& Analysis::modes() const {
                                                        : HiddenModeSearch{};
       };
       search();
+      if (!given) add_started_modes(found);
       add_scatter_between_hits(set, from, hits, options_.modes, search, found);
       if (!hidden.wandering.empty()) refit_modes_near_tones(found, hidden.wandering, set, hits(), all.effort);
       if (hidden.wandering.empty() && tones.empty()) searched_poles_ = hidden.unmodelled;
       remove_tone_modes(found, joined(tones, hidden.wandering), set, hits);
       add_ringing_std(earlier_ringing(), set, from, found);
+      if (std::any_of(found.begin(), found.end(), misfits_much))
+        residual_end_Hz_ = identify::growing_end_Hz(set, found);
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
       margin_modes_ = std::move(split.below);
+      keep_started_modes(split.within);
       if (options_.modes.modes && *options_.modes.modes < split.within.size()) {
         band_modes_ = split.within;
         identify::keep_clearest(split.within, *options_.modes.modes);
@@ -107,12 +141,19 @@ const std::vector<identify::ModeClassification>& Analysis::classifications() con
 
 const std::vector<HitMode>& Analysis::modes_per_hit() const {
   return within_budget(budget_, modes_per_hit_, [&] {
-    const std::vector<identify::Mode>& found = modes();
+    // Modes that no start names take part in the fit of each hit.
+    std::vector<identify::Mode> found = modes();
+    const std::size_t listed = found.size();
+    found.insert(found.end(), unlisted_modes_.begin(), unlisted_modes_.end());
     const TestSpectra from = spectra();
     const auto dataset_of = [&](std::size_t hit) { return source_->dataset(from, {hit}, nullptr); };
     std::vector<HitOfPoint> used;
     for (const std::size_t h : accepted_hits(from.hits)) used.push_back({.hit = h, .point = from.hits[h].point});
-    return trace_.run("modes per hit", [&] { return modes_of_hits(found, used, dataset_of, options_.modes.effort); });
+    return trace_.run("modes per hit", [&] {
+      std::vector<HitMode> per_hit = modes_of_hits(found, used, dataset_of, options_.modes.effort);
+      std::erase_if(per_hit, [&](const HitMode& one) { return one.mode >= listed; });
+      return per_hit;
+    });
   });
 }
 
@@ -121,13 +162,16 @@ std::vector<std::vector<ModeInHit>> Analysis::residues_per_hit() const {
   if (given_frfs() != nullptr || within.empty()) return {};
   std::vector<identify::Mode> all = margin_modes_;
   all.insert(all.end(), within.begin(), within.end());
+  all.insert(all.end(), unlisted_modes_.begin(), unlisted_modes_.end());
   const TestSpectra from = spectra();
   const std::vector<std::size_t> used = comparable_hits(from);
   if (used.size() < 2) return {};
   const ThreadLimit limit(options_.threads);
   const identify::FrfDataset& set = fitted_frfs();
   auto out = modes_in_hits(set, single_hits(set, from, used), with_point_indices(std::move(all), frf_points()));
-  if (!out.empty()) out.erase(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(margin_modes_.size()));
+  if (out.empty()) return out;
+  out.resize(out.size() - unlisted_modes_.size());
+  out.erase(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(margin_modes_.size()));
   return out;
 }
 

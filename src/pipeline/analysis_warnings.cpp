@@ -95,13 +95,12 @@ std::vector<Warning> Analysis::warnings() const {
   }
   if (modes_.ready()) {
     add(freq_scatter_warnings(modes()));
-    add(hit_scatter_warnings(modes()));
+    add(hit_scatter_warnings(modes(), residual_end_Hz_));
     add(mass_loading_warnings(modes()));
     add(truncation_warnings(modes(), lines(), window_decay_per_s(), force_known));
     add(no_modes_warnings(modes(), band_Hz(), !options_.modes.start_Hz.empty()));
     if (!user_chose_modes) add(local_fit_warnings(modes()));
-    if (modes().size() < options_.modes.start_Hz.size())
-      add(refused_start_warnings(identify::refused_starts(fitted_frfs(), options_.modes)));
+    add(refused_start_warnings(refused_starts_));
     if (!user_chose_modes) add(unmodelled_peak_warnings(unexplained_peaks(), band_Hz()));
     add(unmodelled_pole_warnings(unmodelled_poles(), band_Hz()));
     if (!options_.band_Hz && !user_chose_modes) add(below_band_warnings(margin_modes_, band_Hz()));

@@ -67,7 +67,7 @@ class Search {
         return summary_;
       }
     }
-    summary_.stop = Stop::max_steps;
+    summary_.stop = is_at_rounding_limit() ? Stop::rounding_limit : Stop::max_steps;
     return summary_;
   }
 
@@ -97,7 +97,14 @@ class Search {
         return Stop::small_decrease;
       if (lower) return std::nullopt;
     }
-    return Stop::no_decrease;
+    return is_at_rounding_limit() ? Stop::rounding_limit : Stop::no_decrease;
+  }
+
+  bool is_at_rounding_limit() {
+    if (options_.rounding_tolerance <= 0) return false;
+    const NormalEquations& normal = problem_.normal_equations();
+    const VectorXd step = solve_gram(normal.matrix, normal.right, options_.initial_damping);
+    return step.dot(normal.right) < options_.rounding_tolerance * problem_.cost();
   }
 
   // While the damping has not risen above its start, step·right is close to the decrease of the cost.

@@ -45,12 +45,15 @@ struct LevenbergMarquardtOptions {
   double cost_tolerance = 0;
   // The search ends after this many steps in a row that each lower the cost by less than cost_tolerance; 0: never.
   int max_small_decreases = 0;
+  // Where no trial lowers the cost, or after max_steps, an expected decrease below this fraction of the cost is within
+  // its rounding: the search has converged. Unknowns that the data hardly determine may not reach step_tolerance.
+  double rounding_tolerance = 0;
 };
 
 /// Why the search ended.
 enum class LevenbergMarquardtStop {
   small_step,      // an accepted step was smaller than step_tolerance
-  rounding_limit,  // a step smaller than step_tolerance did not lower the cost
+  rounding_limit,  // a step below step_tolerance, or with a decrease below rounding_tolerance, did not lower the cost
   small_decrease,  // the decrease of the cost, expected or in several steps, was below cost_tolerance
   no_decrease,     // max_rejections or max_damping was reached
   max_steps,

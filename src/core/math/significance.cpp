@@ -19,6 +19,12 @@ double student_factor(double degrees) {
   return student_quantile(kCoverage, degrees) / kCoverage;
 }
 
+double upper_tail(double deviate) { return 0.5 * std::erfc(deviate / std::numbers::sqrt2); }
+
+double chance_of_count(std::size_t count, std::size_t tests, double p_value) {
+  return gsl_cdf_binomial_Q(static_cast<unsigned>(count - 1), p_value, static_cast<unsigned>(tests));
+}
+
 double chi2_deviate(double chi2, double degrees) {
   const double variance = 2 / (9 * degrees);
   return (std::cbrt(chi2 / degrees) - (1 - variance)) / std::sqrt(variance);

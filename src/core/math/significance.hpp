@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 
 namespace percuss {
 inline namespace core {
@@ -13,6 +14,13 @@ double student_quantile(double z, double degrees);
 /// The 97.5 % quantile of Student's t for these degrees of freedom, over 1.96. A standard deviation estimated from few
 /// values is multiplied by it, so that ±1.96 standard deviations still cover 95 %.
 double student_factor(double degrees);
+
+/// The probability that a normal deviate exceeds `deviate`.
+double upper_tail(double deviate);
+
+/// The probability that at least `count` of `tests` independent tests fall below `p_value` by chance. Few tests that
+/// are hardly significant alone can be so together. count from 1 to tests, p_value from 0 to 1.
+double chance_of_count(std::size_t count, std::size_t tests, double p_value);
 
 /// χ² as the normal deviate of the same probability, by the cube root of Wilson and Hilferty.
 double chi2_deviate(double chi2, double degrees);

@@ -46,7 +46,8 @@ struct ModeScatter {
   Known known;
   ScatterOfHits freq, damping;
   bool freq_differs = false, damping_differs = false;
-  double damping_shift = 0;  // of the mode, by take_mean()
+  double freq_p = 1, damping_p = 1;  // p-values of the differences
+  double damping_shift = 0;          // of the mode, by take_mean()
   bool significant() const { return freq_differs || damping_differs; }
   HitSeries series(std::size_t mode, bool is_freq) const {
     return {.mode = mode,
@@ -91,13 +92,16 @@ ModeScatter scatter_of_mode(const HitPoles& poles, const std::vector<double>& pe
   if (scatter.known.hits.size() < kMinHits) return scatter;
   scatter.freq = scatter_of_hits(scatter.known.freq_Hz, scatter.known.freq_std_Hz);
   scatter.damping = scatter_of_hits(scatter.known.damping, scatter.known.damping_std);
-  const auto differs = [&](const ScatterOfHits& of, bool is_freq) {
+  const auto test = [&](const ScatterOfHits& of, bool is_freq, bool& differs, double& p_value) {
     const HitSeries series = scatter.series(0, is_freq);
-    if (!(of.deviate > kOnceIn1000) && !(trend_deviate(series, peak_N) > kSignificantTrend)) return false;
-    return hits_of_a_point_differ(series, points).value_or(true) || follows_a_law(series, peak_N);
+    const double trend = trend_deviate(series, peak_N);
+    const bool any = of.deviate > kOnceIn1000 || trend > kSignificantTrend;
+    differs = any && (hits_of_a_point_differ(series, points).value_or(true) || follows_a_law(series, peak_N));
+    // Two tests: of χ², and of two slopes to both sides.
+    p_value = std::min(1.0, 2 * std::min(upper_tail(of.deviate), 4 * upper_tail(trend)));
   };
-  scatter.freq_differs = differs(scatter.freq, true);
-  scatter.damping_differs = differs(scatter.damping, false);
+  test(scatter.freq, true, scatter.freq_differs, scatter.freq_p);
+  test(scatter.damping, false, scatter.damping_differs, scatter.damping_p);
   return scatter;
 }
 
@@ -186,10 +190,12 @@ void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const WindowedH
     Mode& mode = modes[m];
     if (scatter[m].freq_differs) {
       add_part(scatter[m].freq, mode.freq_std_parts_Hz, mode.hit_scatter_Hz, mode.freq_std_Hz);
+      mode.hit_scatter_freq_p = scatter[m].freq_p;
       series.push_back(scatter[m].series(m, true));
     }
     if (scatter[m].damping_differs) {
       add_part(scatter[m].damping, mode.damping_std_parts, mode.hit_scatter_damping, mode.damping_std);
+      mode.hit_scatter_damping_p = scatter[m].damping_p;
       series.push_back(scatter[m].series(m, false));
     } else if (scatter[m].damping_shift != 0) {
       // The shift is as uncertain as the hits' poles, which are less certain than the mode where it is one of a pair.

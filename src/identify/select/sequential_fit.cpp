@@ -39,7 +39,7 @@ class SequentialFit {
       start_from_peaks();
       search();
     }
-    if (!options_.start.empty()) drop_until_accepted();
+    if (!options_.start.empty() && !options_.keep_all) drop_until_accepted();
     return fitted_modes(fit_);
   }
 

@@ -13,6 +13,7 @@ struct SequentialFitOptions {
   WindowedFitOptions windows;
   std::vector<double> start_Hz;  // fit exactly one mode from each of these frequencies
   std::vector<Pole> start;       // fit from these poles of an earlier fit, and keep the accepted ones
+  bool keep_all = false;         // keep every mode fitted from `start`
 };
 /// The search that each effort makes.
 SequentialFitOptions sequential_fit_options(Effort effort);

@@ -1,10 +1,22 @@
 #include "pipeline/stages/hit_scatter.hpp"
 
+#include <algorithm>
+
 #include "identify/hits/hit_scatter.hpp"
 #include "identify/hits/residue_scatter.hpp"
+#include "identify/started_modes.hpp"
 #include "pipeline/stages/single_hits.hpp"
 
 namespace percuss::pipeline {
+namespace {
+
+bool are_left(const std::vector<identify::Mode>& modes, const std::vector<double>& left_Hz) {
+  return std::all_of(modes.begin(), modes.end(), [&](const identify::Mode& mode) {
+    return std::find(left_Hz.begin(), left_Hz.end(), mode.pole.freq_Hz) != left_Hz.end();
+  });
+}
+
+}  // namespace
 
 void add_scatter_between_hits(const identify::FrfDataset& set, const TestSpectra& spectra,
                               const std::function<const identify::HitFrfs&()>& hits,
@@ -17,10 +29,10 @@ void add_scatter_between_hits(const identify::FrfDataset& set, const TestSpectra
   peak_N.reserve(used.size());
   for (const std::size_t h : used) peak_N.push_back(spectra.hits[h].hit.peak_N);
   identify::WindowedHitPoles linear = identify::windowed_hit_poles(set, each, modes);
-  if (options.start_Hz.empty() && !options.modes) {
+  if (!options.modes) {
     const auto left_Hz = identify::without_imitating_modes(set, each, linear, peak_N, modes);
-    if (!left_Hz.empty()) {
-      modes = identify::identify_modes(set, {.effort = options.effort, .start_Hz = left_Hz});
+    if (!left_Hz.empty() && are_left(identify::modes_at_starts(set.lines, modes, options.start_Hz), left_Hz)) {
+      modes = identify::modes_from_frequencies(set, left_Hz, options.effort);
       search();
       linear = identify::windowed_hit_poles(set, each, modes);
     }

@@ -5,15 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "core/io/significant_digits.hpp"
+#include "core/math/significance.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kMaxNamedModes = 4;
-constexpr double kMuchScatter = 3;  // hits' part over the noise's part, from which unexplained scatter is reported
-constexpr double kMuchMisfit = 5;   // misfit's part over the noise's
+constexpr double kMuchScatter = 3;   // hits' part over the noise's part, from which unexplained scatter is reported
+constexpr double kMaxChance = 1e-3;  // of unexplained scatter in a test whose hits are alike
+constexpr double kMuchMisfit = 5;    // misfit's part over the noise's
 constexpr double kPpm = 1e6;
 
 using identify::Mode;
@@ -84,6 +87,22 @@ double unexplained_rank(const Mode& mode) {
   return freq + (damping ? mode.hit_scatter_damping : 0);
 }
 
+// The probability that noise alone makes the hits of some modes differ as much, without a law that explains it. Each
+// mode has two values: of many, some exceed a limit of their own by chance.
+double chance_of_scatter(const std::vector<Mode>& modes) {
+  std::vector<double> p_values;
+  for (const Mode& mode : modes) {
+    if (mode.amplitude || mode.drift) continue;
+    if (mode.freq_std_parts_Hz.hits > 0) p_values.push_back(mode.hit_scatter_freq_p);
+    if (mode.damping_std_parts.hits > 0) p_values.push_back(mode.hit_scatter_damping_p);
+  }
+  std::sort(p_values.begin(), p_values.end());
+  double least = 1;
+  for (std::size_t k = 0; k < p_values.size(); ++k)
+    least = std::min(least, chance_of_count(k + 1, 2 * modes.size(), p_values[k]));
+  return least;
+}
+
 double misfit_rank(const Mode& mode) {
   const auto over = [](const identify::StdParts& parts) {
     return parts.noise > 0 && parts.misfit > kMuchMisfit * parts.noise ? parts.misfit / parts.noise : 0.0;
@@ -91,9 +110,35 @@ double misfit_rank(const Mode& mode) {
   return std::max(over(mode.freq_std_parts_Hz), over(mode.damping_std_parts));
 }
 
+Warning misfit_warning(const std::string& list, const Mode& first, std::optional<double> residual_end_Hz) {
+  std::string text =
+      "the residual of the fit has structure that the fitted modes do not explain, and determines the ± of: " + list;
+  const std::string causes =
+      "frequency or damping that changes during the decay (with the amplitude or with time), a weak mode beside a "
+      "strong one, a sensor's or filter's own response";
+  if (!residual_end_Hz) {
+    return with_remedy(
+        {"model_misfit", text + ". Possible causes: " + causes + ", a mode just beyond the band", {"band"}},
+        "compare softer and stronger hits, extend the band, and look at the fit around these modes");
+  }
+  text += fmt::format(
+      ". The residual grows towards the end of the fitted lines at {:.4g} Hz, as the tail of a mode just beyond it "
+      "does. "
+      "Other possible causes: {}",
+      *residual_end_Hz, causes);
+  const char* const side = *residual_end_Hz > first.pole.freq_Hz ? "above" : "below";
+  return with_remedy(
+      {"model_misfit", std::move(text), {"band"}},
+      fmt::format("extend the band to {} {:.4g} Hz; if that changes nothing, compare softer and stronger "
+                  "hits",
+                  side, *residual_end_Hz));
+}
+
 }  // namespace
 
-std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes) {
+bool misfits_much(const Mode& mode) { return misfit_rank(mode) > 0; }
+
+std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes, std::optional<double> residual_end_Hz) {
   std::vector<Warning> out;
   const std::string amplitude = named_modes(modes, amplitude_rank, amplitude_text);
   if (!amplitude.empty()) {
@@ -125,7 +170,7 @@ std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes) {
     }
     return "(" + text + ")";
   });
-  if (!rest.empty()) {
+  if (!rest.empty() && chance_of_scatter(modes) < kMaxChance) {
     out.push_back(with_remedy({"hits_differ",
                                "modes change from hit to hit by more than the noise explains, and neither the force "
                                "nor the order of the hits explains it: " +
@@ -136,16 +181,7 @@ std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes) {
   }
   const std::string misfit = named_modes(
       modes, misfit_rank, [](const Mode& mode) { return fmt::format("({:.2g} times the noise)", misfit_rank(mode)); });
-  if (!misfit.empty()) {
-    out.push_back(with_remedy({"model_misfit",
-                               "the residual of the fit has structure that no linear mode explains, and determines "
-                               "the ± of: " +
-                                   misfit +
-                                   ". Possible causes: frequency or damping that changes during the decay (with the "
-                                   "amplitude or with time), a weak mode beside a strong one, a sensor's or filter's "
-                                   "own response"},
-                              "compare softer and stronger hits, and look at the fit around these modes"));
-  }
+  if (!misfit.empty()) out.push_back(misfit_warning(misfit, modes.front(), residual_end_Hz));
   return out;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "identify/model/mode.hpp"
@@ -8,7 +9,12 @@ namespace percuss::pipeline {
 
 /// nonlinear: frequencies or damping ratios that follow the force of the hits; drifting: frequencies that follow the
 /// order of the hits; hits_differ: modes that differ from hit to hit beyond the noise, for neither reason;
-/// model_misfit: residuals with structure.
-std::vector<Warning> hit_scatter_warnings(const std::vector<identify::Mode>& modes);
+/// model_misfit: residuals with structure. `residual_end_Hz`: the end of the spectral lines towards which the residual
+/// grows (identify::growing_end_Hz).
+std::vector<Warning> hit_scatter_warnings(const std::vector<identify::Mode>& modes,
+                                          std::optional<double> residual_end_Hz = std::nullopt);
+
+/// Whether model_misfit names a mode: its misfit determines its ±.
+bool misfits_much(const identify::Mode& mode);
 
 }  // namespace percuss::pipeline

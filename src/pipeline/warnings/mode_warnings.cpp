@@ -69,13 +69,23 @@ std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes
   }
   if (count == 0) return {};
   list += and_more(count - unsettled);
-  const std::string why = list.empty() ? "the fit of all modes together did not converge"
-                                       : "all modes together leave more residual energy around them: " + list;
+  const std::string values =
+      " Each of them is fitted over the lines around it: its values are valid within their ±, which is somewhat larger "
+      "than in a joint fit";
+  if (list.empty()) {
+    return {with_remedy(
+        {"local_fits",
+         fmt::format("{} of {} modes keep their local fits, because the fit of all modes together did not converge.{}",
+                     count, modes.size(), values),
+         {"band"}},
+        "analyse a narrower band around these modes for a smaller ±")};
+  }
   return {with_remedy(
       {"local_fits",
-       fmt::format("{} of {} modes keep their local fits, because {}. Their ± is somewhat larger than in a joint fit. "
-                   "The record holds something that no set of fixed modes explains, or a mode is missing",
-                   count, modes.size(), why),
+       fmt::format("{} of {} modes keep their local fits, because all modes together leave more residual energy around "
+                   "them: {}.{}. Possible causes: a mode that is missing, frequencies or damping that change during "
+                   "the record",
+                   count, modes.size(), list, values),
        {"band", "start"}},
       "analyse a narrower band around these modes, or state a starting frequency for a missing one")};
 }

@@ -51,6 +51,41 @@ TEST(LevenbergMarquardt, FollowsRosenbrocksValley) {
   EXPECT_NEAR(x[1], 1, kRounding);
 }
 
+// cost = 10⁶ + x², with a rounding error that grows from trial to trial: near x = 0, no trial lowers the cost. The
+// curvature is stated twice too large, so that each step goes half the way.
+class RoundedProblem : public LeastSquaresProblem {
+ public:
+  double cost() const override { return cost_; }
+  const NormalEquations& normal_equations() override {
+    normal_ = {.matrix = MatrixXd::Constant(1, 1, 2), .right = VectorXd::Constant(1, -x_)};
+    return normal_;
+  }
+  std::optional<double> try_step(const VectorXd& step) override {
+    trial_ = x_ + step(0);
+    rounding_ += 1e-9;
+    trial_cost_ = 1e6 + trial_ * trial_ + rounding_;
+    return trial_cost_;
+  }
+  void accept() override {
+    x_ = trial_;
+    cost_ = trial_cost_;
+  }
+
+ private:
+  double x_ = 1, cost_ = 1e6 + 1, trial_ = 0, trial_cost_ = 0, rounding_ = 0;
+  NormalEquations normal_;
+};
+
+TEST(LevenbergMarquardt, ConvergesWhereRoundingHidesTheRestOfTheDecrease) {
+  RoundedProblem strict, rounded;
+  EXPECT_EQ(levenberg_marquardt(strict).stop, Stop::no_decrease);
+  EXPECT_EQ(levenberg_marquardt(rounded, {.rounding_tolerance = 1e-12}).stop, Stop::rounding_limit);
+  RoundedProblem far;
+  EXPECT_EQ(levenberg_marquardt(far, {.max_steps = 1, .rounding_tolerance = 1e-12}).stop, Stop::max_steps);
+  RoundedProblem near;
+  EXPECT_EQ(levenberg_marquardt(near, {.max_steps = 12, .rounding_tolerance = 1e-12}).stop, Stop::rounding_limit);
+}
+
 // r = ln x − 1 vanishes at e. From x = 100 the undamped step leads to x < 0, where the logarithm does not exist.
 TEST(LevenbergMarquardt, StaysInsideTheLimits) {
   VectorXd x = vector({100});

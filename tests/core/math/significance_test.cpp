@@ -38,4 +38,18 @@ TEST(BirgeRatio, WidensStandardDeviationsThatChanceDoesNotExplain) {
   EXPECT_EQ(birge_ratio(1e-9, 0), 1) << "as many unknowns as values";
 }
 
+TEST(UpperTail, IsTheProbabilityOfANormalDeviate) {
+  EXPECT_NEAR(upper_tail(0), 0.5, 1e-15);
+  EXPECT_NEAR(upper_tail(3.0902), 1e-3, 1e-7);
+  EXPECT_NEAR(upper_tail(-3.0902), 0.999, 1e-7);
+}
+
+TEST(ChanceOfCount, IsTheTailOfTheBinomialDistribution) {
+  EXPECT_NEAR(chance_of_count(1, 1, 0.2), 0.2, 1e-12);
+  EXPECT_NEAR(chance_of_count(2, 2, 0.5), 0.25, 1e-12);
+  EXPECT_NEAR(chance_of_count(1, 20, 1e-3), 1 - std::pow(1 - 1e-3, 20), 1e-12);
+  EXPECT_NEAR(chance_of_count(2, 20, 1e-3), 190e-6, 3e-6) << "190 pairs";
+  EXPECT_EQ(chance_of_count(3, 20, 0), 0);
+}
+
 }  // namespace percuss::significance_test

@@ -37,6 +37,20 @@ TEST(FitJointly, IsExactOnLinesWithoutNoise) {
   EXPECT_LE(std::abs(fit.residues(1, 2) + 0.3), 1e3 * kTolerance);
 }
 
+// A weak mode of 4 % damping near the first line: its damping is known to a fifth. The rounding of the cost then hides
+// steps that are larger than the fit's tolerance.
+TEST(FitJointly, ConvergesWithAModeThatTheLinesHardlyDetermine) {
+  FrfDataset clean = test::empty_set(4096, 8192, 8, 975, 1);
+  const std::vector<Pole> truth{{24.3, 0.04}, {47.8, 0.025}, {131.2, 0.012}, {412, 0.005}};
+  const std::vector<double> residues{-4e-4, 5e-3, 1e-2, 0.02};
+  for (std::size_t m = 0; m < truth.size(); ++m) test::add_mode(clean, 0, truth[m], residues[m]);
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    FrfDataset set = clean;
+    test::add_frf_noise(set, 1e-3, seed);
+    EXPECT_TRUE(fit_jointly(set, truth).converged) << seed;
+  }
+}
+
 // Mean squares of the errors, in units of the reported standard deviations, over many realisations of the noise: of all
 // poles, and of one residue. Also the number of modes with a complex residue.
 struct Scatter {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 
 namespace percuss::pipeline::hit_scatter_warnings_test {
@@ -27,6 +28,46 @@ TEST(HitScatterWarnings, StateASlopeOfTheDampingPerHundredNewtons) {
 TEST(HitScatterWarnings, StateASteepSlopePerSmallerForceSoThatNothingFallsByMoreThanAllOfIt) {
   EXPECT_THAT(nonlinear(-0.0158, 0.0004), testing::HasSubstr("damping falls by 15.8 ± 0.4 % of itself per 10 N"));
   EXPECT_THAT(nonlinear(0.158, 0.01), testing::HasSubstr("damping rises by 16 ± 1 % of itself per 1 N"));
+}
+
+// Ten modes, of which the frequencies of the first scatter between the hits.
+std::vector<Warning> scatter_of(std::size_t scattering, double p_value) {
+  std::vector<identify::Mode> modes(10);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    modes[m].pole = {.freq_Hz = 100 + 50 * static_cast<double>(m), .damping_ratio = 0.01};
+    modes[m].freq_std_parts_Hz.noise = 1e-3;
+    if (m >= scattering) continue;
+    modes[m].freq_std_parts_Hz.hits = 1e-2;
+    modes[m].hit_scatter_Hz = 2e-2;
+    modes[m].hit_scatter_freq_p = p_value;
+  }
+  return hit_scatter_warnings(modes);
+}
+
+// One of 20 values exceeds the limit of one value once in 50 tests.
+TEST(HitScatterWarnings, NameNoScatterThatChanceExplainsInSoManyValues) {
+  EXPECT_TRUE(scatter_of(1, 1e-3).empty());
+  EXPECT_EQ(scatter_of(1, 1e-5).at(0).code, "hits_differ");
+  EXPECT_EQ(scatter_of(2, 1e-3).at(0).code, "hits_differ") << "two values at once are no chance";
+}
+
+std::string misfit_of(std::optional<double> residual_end_Hz) {
+  identify::Mode mode;
+  mode.pole = {.freq_Hz = 743.2, .damping_ratio = 0.0168};
+  mode.freq_std_parts_Hz = {.noise = 1e-3, .hits = 0, .misfit = 32e-3};
+  EXPECT_TRUE(misfits_much(mode));
+  const Warning warning = hit_scatter_warnings({mode}, residual_end_Hz).at(0);
+  EXPECT_EQ(warning.code, "model_misfit");
+  return warning.message;
+}
+
+TEST(HitScatterWarnings, NameAModeBeyondTheLinesFirstWhereTheResidualGrowsTowardsTheirEnd) {
+  EXPECT_THAT(misfit_of(975), testing::HasSubstr("grows towards the end of the fitted lines at 975 Hz"));
+  EXPECT_THAT(misfit_of(975), testing::HasSubstr("; extend the band to above 975 Hz"));
+  EXPECT_THAT(misfit_of(51.2), testing::HasSubstr("; extend the band to below 51.2 Hz"));
+  EXPECT_THAT(misfit_of({}), testing::Not(testing::HasSubstr("grows")));
+  EXPECT_THAT(misfit_of({}), testing::HasSubstr("a mode just beyond the band"));
+  EXPECT_THAT(misfit_of({}), testing::HasSubstr("structure that the fitted modes do not explain"));
 }
 
 }  // namespace percuss::pipeline::hit_scatter_warnings_test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
 
 namespace percuss::pipeline::mode_warnings_test {
 
@@ -25,6 +26,17 @@ TEST(LocalFitWarnings, CountTheModesBeyondTheirLimit) {
   std::vector<identify::Mode> modes = misfitting_modes(12);
   modes[3].joint_misfit = std::numeric_limits<double>::infinity();  // the fit did not converge: not in the list
   EXPECT_THAT(local_fit_warnings(modes).at(0).message, HasSubstr("180.0 Hz (20 times) and 3 more."));
+}
+
+// The record need not hold anything unusual: a weak, heavily damped mode can keep the fit from converging.
+TEST(LocalFitWarnings, BlameNothingWhereTheJointFitDidNotConverge) {
+  std::vector<identify::Mode> modes = misfitting_modes(3);
+  for (identify::Mode& mode : modes) mode.joint_misfit = std::numeric_limits<double>::infinity();
+  const std::string message = local_fit_warnings(modes).at(0).message;
+  EXPECT_THAT(message, HasSubstr("did not converge. Each of them is fitted over the lines around it"));
+  EXPECT_THAT(message, HasSubstr("valid within their ±"));
+  EXPECT_THAT(message, Not(HasSubstr("missing")));
+  EXPECT_THAT(local_fit_warnings(misfitting_modes(3)).at(0).message, HasSubstr("Possible causes: a mode that is"));
 }
 
 TEST(NoModesWarnings, SayThatTheBandOrTheStartsHoldNoMode) {

@@ -1,0 +1,17 @@
+#pragma once
+#include <vector>
+
+#include "identify/model/frf_dataset.hpp"
+#include "identify/model/mode.hpp"
+#include "identify/select/fitted_mode.hpp"
+
+namespace percuss::identify {
+
+/// The modes with the noise of the force in their standard deviations. Where the modes' residues do not add up to the
+/// FRFs, fits them all together.
+std::vector<Mode> finished_modes(const FrfDataset& set, std::vector<FittedMode> found);
+
+/// The same modes; their standard deviations are the noise's part, to which the misfit is added (add_misfit).
+std::vector<Mode> with_misfit(const FrfDataset& set, std::vector<Mode> modes);
+
+}  // namespace percuss::identify

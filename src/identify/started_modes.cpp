@@ -1,0 +1,240 @@
+#include "identify/started_modes.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "identify/model/close_poles.hpp"
+#include "identify/model/frf_synthesis.hpp"
+#include "identify/select/finished_modes.hpp"
+#include "identify/select/joint_refinement.hpp"
+#include "identify/select/sequential_fit.hpp"
+
+namespace percuss::identify {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kAtMode = 0.25;  // of the distance of two modes: a start as near to one of them means this one
+
+std::vector<Pole> poles_of_modes(const std::vector<Mode>& modes) {
+  std::vector<Pole> poles;
+  poles.reserve(modes.size());
+  for (const Mode& mode : modes) poles.push_back(mode.pole);
+  return poles;
+}
+
+bool ascending(const Mode& a, const Mode& b) { return a.pole.freq_Hz < b.pole.freq_Hz; }
+
+// Why a start is fitted.
+enum class Opening {
+  unnamed,  // it names no mode found
+  beside,   // such a start is beside the mode that it names
+  between,  // it stands for two modes found
+};
+struct OpenStart {
+  double asked_Hz = 0;
+  Opening why = Opening::unnamed;
+};
+
+// The starts to fit beside the modes that keep their place.
+struct OpenStarts {
+  std::vector<OpenStart> starts;
+  std::vector<Mode> kept;
+};
+
+// A pole from which a mode is fitted, and whether it comes from a joint fit.
+struct Place {
+  Pole pole;
+  bool joint = false;
+};
+
+// The FRFs without the contributions of these modes.
+FrfDataset frfs_without(const FrfDataset& set, const std::vector<Mode>& modes) {
+  FrfDataset rest = set;
+  const std::vector<Eigen::VectorXcd> sums = modal_sums(set, modes);
+  for (std::size_t o = 0; o < sums.size(); ++o) {
+    for (std::size_t k = 0; k < rest.channels[o].frf.size(); ++k)
+      rest.channels[o].frf[k] -= sums[o](static_cast<Index>(k));
+  }
+  return rest;
+}
+
+class StartedSearch {
+ public:
+  StartedSearch(const FrfDataset& set, std::vector<Mode> found, std::vector<double> start_Hz, Effort effort)
+      : set_(set), found_(std::move(found)), start_Hz_(std::move(start_Hz)), effort_(effort) {}
+
+  // Every pass refuses a start, or keeps two modes apart, or is the last.
+  StartedModes run() {
+    StartedModes out;
+    while (!try_starts(out.modes)) {
+    }
+    out.refused = std::move(refused_);
+    return out;
+  }
+
+ private:
+  OpenStarts open_starts() const {
+    const std::vector<Pole> poles = poles_of_modes(found_);
+    const auto named = modes_of_starts(set_.lines, found_, start_Hz_);
+    std::vector<char> is_named(found_.size(), 0);
+    for (const auto& mode : named) {
+      if (mode) is_named[*mode] = 1;
+    }
+    std::vector<std::optional<Opening>> again(found_.size());  // [modes] why a mode is fitted again
+    for (std::size_t s = 0; s < start_Hz_.size(); ++s) {
+      for (std::size_t m = 0; m < found_.size(); ++m) {
+        const double apart_Hz = std::abs(poles[m].freq_Hz - start_Hz_[s]);
+        const bool beside = apart_Hz < std::max(poles[m].half_power_Hz(), set_.lines.df_Hz());
+        if (!named[s] && is_named[m] && beside) again[m] = Opening::beside;
+        if (named[s] && !is_named[m] && stands_for_both(start_Hz_[s], poles[*named[s]], poles[m]))
+          again[*named[s]] = again[m] = Opening::between;
+      }
+    }
+    OpenStarts out;
+    for (std::size_t s = 0; s < start_Hz_.size(); ++s) {
+      const std::optional<Opening> why = named[s] ? again[*named[s]] : Opening::unnamed;
+      if (why) out.starts.push_back({start_Hz_[s], *why});
+    }
+    for (std::size_t m = 0; m < found_.size(); ++m) {
+      if (!again[m]) out.kept.push_back(found_[m]);
+    }
+    return out;
+  }
+
+  bool stands_for_both(double asked_Hz, const Pole& named, const Pole& other) const {
+    const double from_named_Hz = asked_Hz - named.freq_Hz, between_Hz = other.freq_Hz - named.freq_Hz;
+    const bool kept_apart = std::find(apart_Hz_.begin(), apart_Hz_.end(), asked_Hz) != apart_Hz_.end();
+    return !kept_apart && are_close(named, other) && from_named_Hz * between_Hz > 0 &&
+           std::abs(from_named_Hz) > kAtMode * std::abs(between_Hz);
+  }
+
+  // True where no start was refused: then `modes` are complete.
+  bool try_starts(std::vector<Mode>& modes) {
+    const OpenStarts open = open_starts();
+    modes = found_;
+    if (open.starts.empty()) return true;
+    std::vector<double> asked_Hz;
+    for (const OpenStart& start : open.starts) asked_Hz.push_back(start.asked_Hz);
+    const FrfDataset rest = frfs_without(set_, open.kept);
+    FittedStarts first = fit_starts(rest, asked_Hz, effort_);
+    if (!first.refused.empty()) {
+      refuse(open, first.refused);
+      return false;
+    }
+    const auto fitted = fitted_together(open.kept, first.modes);
+    if (!fitted) {
+      modes = with_misfit(rest, finished_modes(rest, std::move(first.modes)));
+      modes.insert(modes.end(), open.kept.begin(), open.kept.end());
+      std::sort(modes.begin(), modes.end(), ascending);
+      return true;
+    }
+    const std::vector<RefusedStart> refused = refused_of(asked_Hz, *fitted);
+    if (!refused.empty()) {
+      refuse(open, refused);
+      return false;
+    }
+    modes = with_misfit(set_, finished_modes(set_, *fitted));
+    return true;
+  }
+
+  // All modes fitted together; nothing where a mode leaves its place, or a mode found loses its joint fit.
+  std::optional<std::vector<FittedMode>> fitted_together(const std::vector<Mode>& kept,
+                                                         const std::vector<FittedMode>& started) const {
+    std::vector<Place> places;
+    for (const Mode& mode : kept) places.push_back({mode.pole, mode.joint_misfit == 0});
+    for (const FittedMode& mode : started) places.push_back({mode.mode.pole, false});
+    std::sort(places.begin(), places.end(),
+              [](const Place& a, const Place& b) { return a.pole.freq_Hz < b.pole.freq_Hz; });
+    SequentialFitOptions options = sequential_fit_options(effort_);
+    options.keep_all = true;
+    for (const Place& place : places) options.start.push_back(place.pole);
+    std::vector<FittedMode> fitted = fit_sequentially(set_, options);
+    if (effort_ == Effort::best && !fitted.empty()) refine_jointly(set_, fitted);
+    const auto stays = [&](const Place& place, const FittedMode& mode) {
+      const double moved_Hz = std::abs(mode.mode.pole.freq_Hz - place.pole.freq_Hz);
+      return moved_Hz <= resolved_width_Hz(place.pole, set_.lines) && !(place.joint && mode.mode.joint_misfit > 0);
+    };
+    if (!std::equal(places.begin(), places.end(), fitted.begin(), fitted.end(), stays)) return std::nullopt;
+    return fitted;
+  }
+
+  std::vector<RefusedStart> refused_of(const std::vector<double>& asked_Hz,
+                                       const std::vector<FittedMode>& fitted) const {
+    std::vector<RefusedStart> refused;
+    const auto named = poles_of_starts(set_.lines, start_Hz_, poles_of(fitted), kAnyDistance);
+    for (std::size_t s = 0; s < start_Hz_.size(); ++s) {
+      if (!named[s] || std::find(asked_Hz.begin(), asked_Hz.end(), start_Hz_[s]) == asked_Hz.end()) continue;
+      if (auto why = refusal_of(set_.lines, start_Hz_[s], fitted[*named[s]])) refused.push_back(*why);
+    }
+    return refused;
+  }
+
+  // A start that names a mode keeps it: the modes between which it lies stay apart, or the start beside it is refused.
+  void refuse(const OpenStarts& open, const std::vector<RefusedStart>& refused) {
+    const auto of = [&](Opening why) {
+      std::vector<OpenStart> starts;
+      std::copy_if(open.starts.begin(), open.starts.end(), std::back_inserter(starts),
+                   [&](const OpenStart& start) { return start.why == why; });
+      return starts;
+    };
+    const auto is_in = [](const std::vector<OpenStart>& starts, double asked_Hz) {
+      return std::any_of(starts.begin(), starts.end(),
+                         [&](const OpenStart& start) { return start.asked_Hz == asked_Hz; });
+    };
+    const std::vector<OpenStart> unnamed = of(Opening::unnamed), between = of(Opening::between);
+    bool progress = false;
+    for (const RefusedStart& one : refused) {
+      if (is_in(between, one.asked_Hz)) apart_Hz_.push_back(one.asked_Hz);
+      if (is_in(unnamed, one.asked_Hz)) drop(one);
+      progress = progress || is_in(between, one.asked_Hz) || is_in(unnamed, one.asked_Hz);
+    }
+    if (progress) return;
+    const RefusedStart& first = refused.front();
+    const auto nearest = std::min_element(unnamed.begin(), unnamed.end(), [&](const OpenStart& a, const OpenStart& b) {
+      return std::abs(a.asked_Hz - first.asked_Hz) < std::abs(b.asked_Hz - first.asked_Hz);
+    });
+    drop({.asked_Hz = nearest->asked_Hz, .pole = first.pole});
+  }
+
+  void drop(const RefusedStart& one) {
+    refused_.push_back(one);
+    std::erase(start_Hz_, one.asked_Hz);
+  }
+
+  const FrfDataset& set_;
+  std::vector<Mode> found_;
+  std::vector<double> start_Hz_;
+  Effort effort_;
+  std::vector<double> apart_Hz_;  // starts that cannot stand for two modes found
+  std::vector<RefusedStart> refused_;
+};
+
+}  // namespace
+
+StartedModes with_started_modes(const FrfDataset& set, std::vector<Mode> found, std::vector<double> start_Hz,
+                                Effort effort) {
+  return StartedSearch(set, std::move(found), std::move(start_Hz), effort).run();
+}
+
+std::vector<std::optional<std::size_t>> modes_of_starts(const acquire::LineRange& lines, const std::vector<Mode>& modes,
+                                                        const std::vector<double>& start_Hz) {
+  return poles_of_starts(lines, start_Hz, poles_of_modes(modes), kMaxBandwidthsFromStart);
+}
+
+std::vector<Mode> modes_at_starts(const acquire::LineRange& lines, const std::vector<Mode>& modes,
+                                  const std::vector<double>& start_Hz) {
+  std::vector<Mode> named;
+  for (const auto& mode : modes_of_starts(lines, modes, start_Hz)) {
+    if (mode) named.push_back(modes[*mode]);
+  }
+  std::sort(named.begin(), named.end(), ascending);
+  return named;
+}
+
+}  // namespace percuss::identify

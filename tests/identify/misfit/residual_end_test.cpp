@@ -1,0 +1,51 @@
+#include "identify/misfit/residual_end.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "identify/identify.hpp"
+#include "support/modal_frfs.hpp"
+
+namespace percuss::identify::residual_end_test {
+
+// Modes between 100 and 743 Hz; another mode at 1040 Hz, or at 20 Hz.
+FrfDataset set_between(double low_Hz, double high_Hz, double other_Hz) {
+  FrfDataset set = test::empty_set(4096, 8192, low_Hz, high_Hz, 2);
+  for (std::size_t o = 0; o < 2; ++o) {
+    const double sign = o == 0 ? 1 : -0.6;
+    test::add_mode(set, o, {120, 0.015}, 0.02);
+    test::add_mode(set, o, {656.3, 0.0099}, sign * 0.02);
+    test::add_mode(set, o, {743.2, 0.0168}, 0.04);
+    test::add_mode(set, o, {other_Hz, 0.006}, sign * 0.2);
+  }
+  test::add_frf_noise(set, 2e-4, 1);
+  return set;
+}
+
+std::optional<double> end_between(double low_Hz, double high_Hz, double other_Hz) {
+  const FrfDataset set = set_between(low_Hz, high_Hz, other_Hz);
+  return growing_end_Hz(set, identify_modes(set));
+}
+
+TEST(GrowingEnd, IsTheEndBeyondWhichAModeLies) {
+  EXPECT_EQ(end_between(8, 975, 1040), 975);
+  EXPECT_EQ(end_between(28, 975, 20), 28);
+}
+
+TEST(GrowingEnd, IsNoneWhereTheLinesIncludeTheMode) {
+  EXPECT_EQ(end_between(8, 1200, 1040), std::nullopt);
+  EXPECT_EQ(end_between(8, 975, 300), std::nullopt);
+}
+
+// Forty components from 500 to 503.9 Hz stand for a mode whose frequency changes during the decay.
+TEST(GrowingEnd, IsNoneWhereAModeItselfMisfits) {
+  FrfDataset set = test::empty_set(4096, 32768, 250, 650, 1);
+  for (int part = 0; part < 40; ++part)
+    test::add_mode(set, 0, {500 + 0.1 * part, 0.01}, Complex(0.02, part % 3 == 0 ? 0.01 : 0));
+  test::add_mode(set, 0, {320, 0.008}, Complex(0.5, 0.2));
+  test::add_frf_noise(set, 1e-3, 4);
+  EXPECT_EQ(growing_end_Hz(set, modes_from_frequencies(set, {320, 502}, Effort::best)), std::nullopt);
+}
+
+}  // namespace percuss::identify::residual_end_test
