@@ -128,13 +128,12 @@ void add_run(RowContents& rows, const BatchRecord& record, const pipeline::RunAn
     rows.code = kImpossible;
     rows.reason = written(report::no_usable_hit(analysis.hits()), options.write_option);
   }
-}
-add_warnings(rows, analysis.warnings());
-if (!options.frf || !analysis.possible()) return;
-Json row = row_start("frf", record);
-row["run"] = test.run;
-row["packed"] = serialize_frfs(report::frf_record_of(analysis));
-rows.frfs.push_back(std::move(row));
+  add_warnings(rows, analysis.warnings());
+  if (!options.frf || !analysis.possible()) return;
+  Json row = row_start("frf", record);
+  row["run"] = test.run;
+  row["packed"] = serialize_frfs(report::frf_record_of(analysis));
+  rows.frfs.push_back(std::move(row));
 }
 
 // Refuses, as the command `analyze` does, options that need a force.

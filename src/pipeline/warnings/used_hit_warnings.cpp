@@ -95,10 +95,10 @@ std::vector<Warning> used_hit_warnings(const acquire::Record& record, const std:
         "repeat the hits of these points"));
   }
   if (const std::vector<int> points = dropped_points(hits); !points.empty()) {
-    Warning warning{"dropped_points",
-                    fmt::format("no hit can be used at point{} {}: FRFs and shapes lack {}. Each hit's verdict gives "
-                                "the reason",
-                                plural(points.size()), list, points.size() == 1 ? "it" : "them")};
+    Warning warning{
+        "dropped_points",
+        fmt::format("no hit can be used at {}: FRFs and shapes lack {}. Each hit's verdict gives the reason",
+                    names.list(points, kMaxPoints), points.size() == 1 ? "it" : "them")};
     const bool acceptable = std::any_of(hits.begin(), hits.end(), [&](const AnalysedHit& hit) {
       return can_be_accepted(hit) && !lacks_samples_of_pulse(hit) &&
              std::binary_search(points.begin(), points.end(), hit.point);
