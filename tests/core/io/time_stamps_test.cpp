@@ -184,7 +184,7 @@ TEST(RateOfTimeStamps, RejectsRowsOfDifferentRates) {
   StampProblem problem;
   EXPECT_TRUE(rate_of_time_stamps(std::vector<TimeStamps>{{t, 1e-9}, {drifted, 1e-9}}, problem)) << "a clock may drift";
   EXPECT_FALSE(rate_of_time_stamps(std::vector<TimeStamps>{{t, 1e-9}, {t, 1e-9}, {other, 1e-9}}, problem));
-  EXPECT_TRUE(problem.rates_differ);
+  EXPECT_EQ(problem.kind, StampProblemKind::rates_differ);
   EXPECT_EQ(problem.row, 2U);
   EXPECT_THAT(problem.text, HasSubstr("another sampling rate"));
 }
