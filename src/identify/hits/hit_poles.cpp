@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/math/complex.hpp"
 #include "core/math/linear_algebra.hpp"
@@ -184,8 +185,21 @@ std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hit
     return fit_by_residual(of, data, start, window);
   };
   std::vector<HitPoles> out(start.size(), HitPoles{.hits = std::vector<HitPole>(hits.points.size())});
-  const LocalFit together = fit(set, window_data(set, modes, window));
-  for (std::size_t i = 0; i < start.size(); ++i) out[i].together = pole_of_fit(together, i, start[i]);
+  const auto averages = window_data(set, modes, window);
+  for (HitPoles& of_mode : out) of_mode.averages.resize(set.points.size());
+  if (!has_repeated_points(hits.points)) {
+    const LocalFit all = fit(set, averages);
+    for (std::size_t i = 0; i < start.size(); ++i)
+      std::fill(out[i].averages.begin(), out[i].averages.end(), pole_of_fit(all, i, start[i]));
+  } else {
+    parallel_for_cost(set.points.size(), 20 * kFlopsPerLine * window.count, [&](std::size_t p) {
+      const PointSet point = set_of_point(set, p);
+      std::vector<VectorXcd> own;
+      for (const std::size_t o : point.channels) own.push_back(averages[o]);
+      const LocalFit one = fit(point.set, own);
+      for (std::size_t i = 0; i < start.size(); ++i) out[i].averages[p] = pole_of_fit(one, i, start[i]);
+    });
+  }
   const auto data = hit_data(set, hits, modes, window, of_hits);
   const std::size_t channels = data.size() / hits.points.size();
   parallel_for_cost(hits.points.size(), 20 * kFlopsPerLine * window.count * channels, [&](std::size_t h) {
@@ -194,6 +208,11 @@ std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hit
     for (std::size_t i = 0; i < start.size(); ++i) out[i].hits[h] = pole_of_fit(one, i, start[i]);
   });
   return out;
+}
+
+bool has_repeated_points(const std::vector<std::size_t>& points) {
+  const std::set<std::size_t> different(points.begin(), points.end());
+  return different.size() < points.size();
 }
 
 std::vector<Mode> modes_with_residues_of_hits(const FrfDataset& set, const HitFrfs& hits,

@@ -20,13 +20,13 @@ struct HitPole {
   std::vector<HitResidue> residues{};  // [channels]
 };
 
-/// The poles of one mode in every hit. fitted_hit_poles() also gives the pole of all hits together, over the same
+/// The poles of one mode in every hit. fitted_hit_poles() also gives the poles of the hits' averages, over the same
 /// window. linearised_hit_poles() also gives whether the mode overlaps the previous mode of its window and the ratio of
 /// their residues differs between the hits. Two fixed poles imitate one resonance that moves: their residues change
 /// from hit to hit. A gain common to both does not count.
 struct HitPoles {
   std::vector<HitPole> hits;
-  HitPole together;
+  std::vector<HitPole> averages;  // [points] of the average of the point's hits
   bool differs_from_previous = false;
 };
 
@@ -38,9 +38,12 @@ std::vector<HitPoles> linearised_hit_poles(const FrfDataset& set, const HitFrfs&
                                            const std::vector<Mode>& of_hits = {});
 
 /// The same for the modes of one window, [window.modes], by complete local fits. They also follow poles too far from
-/// the modes' poles for one Gauss–Newton step. `together` is the local fit of the averaged FRFs, over the same window.
+/// the modes' poles for one Gauss–Newton step. If no point has several hits, the average of each point is that of all.
 std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                                        const ModeWindow& window, const std::vector<Mode>& of_hits = {});
+
+/// Whether some point has several hits. points: [hits] index of the hit's point
+bool has_repeated_points(const std::vector<std::size_t>& points);
 
 /// The modes with the residues of the single hits, [channels of hits.set], all fitted together at the modes' poles. A
 /// blow in another direction changes them. Empty where no ratios of `linear`, from linearised_hit_poles(), scatter

@@ -46,8 +46,8 @@ struct ModeScatter {
   Known known;
   ScatterOfHits freq, damping;
   bool freq_differs = false, damping_differs = false;
-  double freq_p = 1, damping_p = 1;  // p-values of the differences
-  double damping_shift = 0;          // of the mode, by take_mean()
+  double freq_p = 1, damping_p = 1;                 // p-values of the differences
+  double damping_shift = 0, damping_shift_std = 0;  // of the mode, by take_mean()
   bool significant() const { return freq_differs || damping_differs; }
   HitSeries series(std::size_t mode, bool is_freq) const {
     return {.mode = mode,
@@ -105,17 +105,38 @@ ModeScatter scatter_of_mode(const HitPoles& poles, const std::vector<double>& pe
   return scatter;
 }
 
-// The mean of the hits' poles in place of the pole of their average. Both come from the same window, whose misfit
-// cancels in their difference. Frequencies that differ raise the damping of the average. Damping ratios that differ
-// leave its frequency unchanged.
-void take_mean(Mode& mode, ModeScatter& scatter, const HitPole& together) {
-  if (!together.known) return;
-  const double freq_shift_Hz = scatter.freq.mean - together.pole.freq_Hz;
-  const double damping_shift = scatter.damping.mean - together.pole.damping_ratio;
-  if (std::abs(freq_shift_Hz) > mode.pole.half_power_Hz() || -damping_shift > 0.5 * mode.pole.damping_ratio) return;
-  if (scatter.freq_differs) mode.pole.freq_Hz += freq_shift_Hz;
-  mode.pole.damping_ratio += damping_shift;
-  scatter.damping_shift = damping_shift;
+// The mean change from the poles of the averages to those of their hits. Both come from the same window, whose misfit
+// cancels in their difference.
+struct MeanChange {
+  double freq_Hz = 0, damping = 0;
+  double damping_std = 0;  // of the noise
+};
+
+std::optional<MeanChange> mean_change(const Known& known, const HitPoles& poles,
+                                      const std::vector<std::size_t>& points) {
+  std::vector<double> freq_Hz, freq_std_Hz, damping, damping_std;
+  for (std::size_t i = 0; i < known.hits.size(); ++i) {
+    const HitPole& average = poles.averages[points[known.hits[i]]];
+    if (!average.known) continue;
+    freq_Hz.push_back(known.freq_Hz[i] - average.pole.freq_Hz);
+    freq_std_Hz.push_back(known.freq_std_Hz[i]);
+    damping.push_back(known.damping[i] - average.pole.damping_ratio);
+    damping_std.push_back(known.damping_std[i]);
+  }
+  if (freq_Hz.empty()) return std::nullopt;
+  const ScatterOfHits of_damping = scatter_of_hits(damping, damping_std);
+  return MeanChange{
+      .freq_Hz = scatter_of_hits(freq_Hz, freq_std_Hz).mean, .damping = of_damping.mean, .damping_std = of_damping.std};
+}
+
+// The mean of the hits' poles in place of the pole of their average. Frequencies that differ raise the damping of the
+// average. Damping ratios that differ leave its frequency unchanged.
+void take_mean(Mode& mode, ModeScatter& scatter, const MeanChange& change) {
+  if (std::abs(change.freq_Hz) > mode.pole.half_power_Hz() || -change.damping > 0.5 * mode.pole.damping_ratio) return;
+  if (scatter.freq_differs) mode.pole.freq_Hz += change.freq_Hz;
+  mode.pole.damping_ratio += change.damping;
+  scatter.damping_shift = change.damping;
+  scatter.damping_shift_std = change.damping_std;
 }
 
 void add_part(const ScatterOfHits& scatter, StdParts& parts, double& spread, double& total) {
@@ -133,7 +154,11 @@ void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window
     const ModeScatter again = scatter_of_mode(fitted[i], peak_N, hits.points);
     if (!scatter[m].significant() || again.known.hits.size() < scatter[m].known.hits.size()) continue;
     scatter[m] = again;
-    if (again.significant()) take_mean(modes[m], scatter[m], fitted[i].together);
+    if (!again.significant()) continue;
+    // Poles of different points differ by the misfit as well. Without repeated hits, only a law tells them apart.
+    const bool law = follows_a_law(again.series(m, true), peak_N) || follows_a_law(again.series(m, false), peak_N);
+    if (!has_repeated_points(hits.points) && !law) continue;
+    if (const auto change = mean_change(again.known, fitted[i], hits.points)) take_mean(modes[m], scatter[m], *change);
   }
   move_residues(set, window, before, modes);
 }
@@ -199,7 +224,7 @@ void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const WindowedH
       series.push_back(scatter[m].series(m, false));
     } else if (scatter[m].damping_shift != 0) {
       // The shift is as uncertain as the hits' poles, which are less certain than the mode where it is one of a pair.
-      mode.damping_std_parts.hits = std::min(std::abs(scatter[m].damping_shift), scatter[m].damping.std);
+      mode.damping_std_parts.hits = std::min(std::abs(scatter[m].damping_shift), scatter[m].damping_shift_std);
       mode.damping_std = mode.damping_std_parts.total();
     }
   }
