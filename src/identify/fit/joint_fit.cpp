@@ -31,10 +31,18 @@ constexpr LevenbergMarquardtOptions kJointSearch{.max_rejections = 14,
 // The poles of the state are the unknowns; residues and background follow from them.
 class JointProblem : public LeastSquaresProblem {
  public:
-  JointProblem(const JointProjection& projection, JointState& state) : projection_(projection), state_(state) {}
+  JointProblem(const JointProjection& projection, JointState& state, const std::vector<Pole>& held)
+      : projection_(projection), state_(state), held_(held) {}
 
   double cost() const override { return state_.cost; }
-  const NormalEquations& normal_equations() override { return normal_ = projection_.normal_equations(state_); }
+  const NormalEquations& normal_equations() override {
+    normal_ = projection_.normal_equations(state_);
+    for (std::size_t m = 0; m < state_.model.poles.size(); ++m) {
+      if (std::find(held_.begin(), held_.end(), state_.model.poles[m]) == held_.end()) continue;
+      for (Index at = static_cast<Index>(2 * m); at < static_cast<Index>(2 * m + 2); ++at) hold(at);
+    }
+    return normal_;
+  }
   double step_size(const VectorXd& step) const override { return normalised_step(step, state_.model.poles); }
   std::optional<double> try_step(const VectorXd& step) override {
     JointModel model = state_.model;
@@ -47,15 +55,25 @@ class JointProblem : public LeastSquaresProblem {
   void accept() override { state_ = std::move(trial_); }
 
  private:
+  // Solves for a step without this unknown.
+  void hold(Index at) {
+    const double diagonal = normal_.matrix(at, at);
+    normal_.matrix.row(at).setZero();
+    normal_.matrix.col(at).setZero();
+    normal_.matrix(at, at) = diagonal;
+    normal_.right(at) = 0;
+  }
+
   const JointProjection& projection_;
   JointState& state_;
+  const std::vector<Pole>& held_;
   JointState trial_;
   NormalEquations normal_;
 };
 
 LevenbergMarquardtSummary descend(const JointProjection& projection, JointState& state,
                                   const JointFitOptions& options) {
-  JointProblem problem(projection, state);
+  JointProblem problem(projection, state, options.held);
   LevenbergMarquardtOptions search = kJointSearch;
   search.max_steps = options.max_steps;
   search.step_tolerance = options.tolerance;

@@ -22,6 +22,7 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 
 constexpr int kFinalFits = 3;             // of settled_fit(): without the scatter partners, a fit may converge slowly
+constexpr double kPartnerReach = 5;       // half-power bandwidths: modes nearer to a scatter partner change without it
 constexpr int kHalvesRounds = 6;          // of dropping modes that the halves of the points do not repeat
 constexpr std::size_t kSharedPoints = 3;  // with fewer points, shared columns save no work
 
@@ -93,14 +94,24 @@ std::optional<JointFit> without_scatter_partners(const FrfDataset& set, const st
   const std::vector<std::size_t> partners = scatter_partners(set, known, fit);
   if (partners.empty()) return fit;
   if (fit.poles.size() - partners.size() <= known.size()) return std::nullopt;
-  std::vector<Pole> kept;
+  const auto is_partner = [&](std::size_t m) { return std::binary_search(partners.begin(), partners.end(), m); };
+  // What the partners described becomes misfit. Other modes would leave their places to describe it.
+  const auto is_near = [&](const Pole& pole) {
+    return std::any_of(partners.begin(), partners.end(), [&](std::size_t m) {
+      return std::abs(pole.freq_Hz - fit.poles[m].freq_Hz) <=
+             kPartnerReach * std::max(pole.half_power_Hz(), fit.poles[m].half_power_Hz());
+    });
+  };
+  std::vector<Pole> kept, held;
   for (std::size_t m = 0; m < fit.poles.size(); ++m) {
-    if (!std::binary_search(partners.begin(), partners.end(), m)) kept.push_back(fit.poles[m]);
+    if (is_partner(m)) continue;
+    kept.push_back(fit.poles[m]);
+    if (!is_near(fit.poles[m])) held.push_back(fit.poles[m]);
   }
   JointFitBudget budget(set);
-  std::optional<JointFit> fewer = settled_fit(set, std::move(kept), budget, kFinalFits);
+  std::optional<JointFit> fewer = settled_fit(set, std::move(kept), budget, kFinalFits, held);
   if (!fewer || fewer->poles.size() <= known.size()) return std::nullopt;
-  return with_tested_residues(set, *fewer);
+  return with_tested_residues(set, *fewer, held);
 }
 
 // The fit without modes that the halves of the points do not repeat. Poles whose fit does not settle are divided again:

@@ -16,9 +16,12 @@ constexpr double kFinalCost = 1e-9;  // relative decrease of the squares that en
 }  // namespace
 
 std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, JointFitBudget& budget,
-                                    int final_fits) {
-  JointFitOptions options{
-      .max_steps = kJointSteps, .tolerance = kTrialStep, .cost_tolerance = kTrialCost, .test_real = false};
+                                    int final_fits, const std::vector<Pole>& held) {
+  JointFitOptions options{.max_steps = kJointSteps,
+                          .tolerance = kTrialStep,
+                          .cost_tolerance = kTrialCost,
+                          .test_real = false,
+                          .held = held};
   for (int round = 0; round < kDroppingRounds && !poles.empty() && budget.allows(poles); ++round) {
     JointFit fit = budget.fit(poles, options);
     const bool converged = fit.converged;
@@ -35,8 +38,9 @@ std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> pol
   return std::nullopt;
 }
 
-JointFit with_tested_residues(const FrfDataset& set, const JointFit& fit) {
-  const JointFitOptions options{.max_steps = kJointSteps, .cost_tolerance = kFinalCost, .test_real = true};
+JointFit with_tested_residues(const FrfDataset& set, const JointFit& fit, const std::vector<Pole>& held) {
+  const JointFitOptions options{
+      .max_steps = kJointSteps, .cost_tolerance = kFinalCost, .test_real = true, .held = held};
   JointFit tested = fit_jointly(set, fit.poles, options);
   return tested.converged ? tested : fit;
 }
