@@ -10,9 +10,9 @@ constexpr double kFixedEvaluations = 8;  // of a fit, in addition to those of it
 
 // About two seconds, and a fifth of a second for each FRF.
 constexpr double kProducts = 1.5e9, kProductsPerFrf = 1.5e8;
-// A survey of few points needs more: where it ended early, it lost the clearest modes. Single records gained nothing.
+// A survey needs more: where it ended early, it lost clear modes. Single records gained nothing.
 constexpr std::size_t kSurveyPoints = 3;
-constexpr double kSurveyProducts = 3 * kProducts;
+constexpr double kSurveyProducts = 5 * kProducts;
 
 }  // namespace
 

@@ -31,6 +31,8 @@ constexpr double kMaxGain = 25, kMinGain = 8;
 // unknowns of three FRFs, noise reaches it once in 10^4.
 constexpr double kClearSignificance = 2 * kJointSignificance, kClearPeakToResidual = 10, kClearWidths = 1;
 constexpr double kClearGain = 4;
+// Such a gain makes a mode clear beside the misfit of others, which raises the residual at its peak.
+constexpr double kStrongGain = kMaxGain, kStrongPeakToResidual = 5;
 
 // The part of a residual that is rough from line to line: 1 for noise, little for the misfit of a model.
 double noise_part(const VectorXcd& residual) {
@@ -94,9 +96,10 @@ bool is_clear(const FrfDataset& set, const KnownModes& known, const JointFit& fi
   const Pole& pole = fit.poles[mode];
   if (!stands_alone(set, known.poles, fit.poles, pole)) return false;
   const ModeSignificance of_mode = significance_of(set, fit, mode, Misfit::counted);
-  const double least = kClearGain * static_cast<double>(unknowns_per_mode(set));
-  return of_mode.significance > kClearSignificance && of_mode.peak_to_residual > kClearPeakToResidual &&
-         local_likelihood_ratio_statistic(set, known.residual, fit.residual, pole) > least;
+  if (!(of_mode.significance > kClearSignificance && of_mode.peak_to_residual > kStrongPeakToResidual)) return false;
+  const double gain = local_likelihood_ratio_statistic(set, known.residual, fit.residual, pole) /
+                      static_cast<double>(unknowns_per_mode(set));
+  return gain > (of_mode.peak_to_residual > kClearPeakToResidual ? kClearGain : kStrongGain);
 }
 
 // [channels] the residual's lines in a window.
