@@ -37,6 +37,18 @@ TEST(FitJointly, IsExactOnLinesWithoutNoise) {
   EXPECT_LE(std::abs(fit.residues(1, 2) + 0.3), 1e3 * kTolerance);
 }
 
+TEST(FitJointly, LeavesHeldPolesAndFitsTheOthers) {
+  const FrfDataset set = three_modes(2);
+  JointFitOptions options;
+  options.held = {{420, 0.006}};
+  const JointFit fit = fit_jointly(set, {kStart[0], kStart[1], options.held[0]}, options);
+  EXPECT_TRUE(fit.converged);
+  EXPECT_EQ(fit.poles[2], options.held[0]);
+  for (std::size_t m = 0; m < 2; ++m)
+    EXPECT_LE(std::abs(fit.poles[m].freq_Hz / kTruth[m].freq_Hz - 1), 1e-12) << m << ": the held pole is right";
+  EXPECT_GT(fit.freq_std_Hz(2), 0);
+}
+
 // A weak mode of 4 % damping near the first line: its damping is known to a fifth. The rounding of the cost then hides
 // steps that are larger than the fit's tolerance.
 TEST(FitJointly, ConvergesWithAModeThatTheLinesHardlyDetermine) {

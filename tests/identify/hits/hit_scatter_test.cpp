@@ -105,4 +105,20 @@ TEST(HitScatter, FindsHitsOfOnePointThatDiffer) {
   EXPECT_GT(modes[0].freq_std_parts_Hz.hits, 0);
 }
 
+// The poles of single points differ by the misfit, from each other and from the fit of all points together. The hits of
+// each point lie evenly about their average.
+TEST(HitScatter, DoesNotMoveAPoleByTheMisfitOfThePoints) {
+  const Hits hits(6, 3, [](FrfDataset& one, std::size_t point, std::size_t hit) {
+    const double off = static_cast<double>((point + 2 * hit) % 3) - 1, at = static_cast<double>(point);
+    test::add_mode(one, 0, {.freq_Hz = kWeak.freq_Hz * (1 + 1e-4 * off), .damping_ratio = kWeak.damping_ratio},
+                   1 + 0.5 * std::cos(at));
+    test::add_mode(one, 0, {.freq_Hz = 306, .damping_ratio = 0.02}, 0.5 * (1 + std::cos(2 * at)));
+  });
+  std::vector<Mode> modes = hits.modes({kWeak});
+  const std::vector<double> peak_N(18, 100);
+  add_hit_scatter(hits.set, hits.frfs, windowed_hit_poles(hits.set, hits.frfs, modes), peak_N, modes);
+  EXPECT_GT(modes[0].freq_std_parts_Hz.hits, 0);
+  EXPECT_NEAR(modes[0].pole.freq_Hz, kWeak.freq_Hz, 2e-5 * kWeak.freq_Hz) << "the misfit moves single points by 1e-3";
+}
+
 }  // namespace percuss::identify::hit_scatter_test

@@ -28,4 +28,25 @@ TEST(Misfit, IsRemovedForATailAndStaysForAMissingMode) {
   EXPECT_TRUE(is_material(set, missing, mode, Tails::removed));
 }
 
+// The misfit of a strong mode, here an unknown partner, raises the residual at a weak mode beside it.
+TEST(ClearModes, IncludeOneBesideAMisfitThatRaisesTheLikelihoodMuch) {
+  const Pole strong{.freq_Hz = 1000, .damping_ratio = 0.005}, partner{.freq_Hz = 1004, .damping_ratio = 0.006};
+  const Pole weak{.freq_Hz = 1060, .damping_ratio = 0.005};
+  FrfDataset set = test::empty_set(8192, 32768, 800, 1300, 4);
+  for (std::size_t o = 0; o < 4; ++o) {
+    const auto x = static_cast<double>(o);
+    test::add_mode(set, o, strong, 1 - 0.2 * x);
+    test::add_mode(set, o, partner, 0.1 + 0.1 * x);
+    test::add_mode(set, o, weak, 0.02 + 0.01 * x);
+  }
+  test::add_frf_noise(set, 1e-3, 3);
+  const JointFit before = fit_residues(set, {strong}), after = fit_residues(set, {strong, weak});
+  const double peak = significance_of(set, after, 1, Misfit::counted).peak_to_residual;
+  ASSERT_GT(peak, 5);
+  ASSERT_LT(peak, 10);
+  const std::vector<Pole> clear = clear_modes(set, {before.poles, before.residual}, after);
+  ASSERT_EQ(clear.size(), 1U);
+  EXPECT_EQ(clear[0], weak);
+}
+
 }  // namespace percuss::identify::joint_selection_test
