@@ -25,8 +25,10 @@ def compare(
 
     Pairs the modes of the first document with the modes of each other document, by frequency and
     shape, and shows the differences. The MAC is that of the shapes over the common points, or over
-    the channels where there are fewer than three points. Compares the deflections of two documents
-    likewise. analyze, survey, deflect and model write such documents.
+    the channels where there are fewer than three points. Modes without three common places are
+    paired by frequency alone, so that modes that crossed are exchanged; the output says so.
+    Compares the deflections of two documents likewise. analyze, survey, deflect and model write
+    such documents.
 
     Parameters
     ----------

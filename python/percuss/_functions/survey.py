@@ -67,8 +67,8 @@ def survey(
 
     Analyses a test of many points: mode shapes, their MAC, modal masses if a driving point is
     known, and bending or hoop with the circumferential order from the shapes. A file holds all
-    points or one of them. A geometry file gives their coordinates; `percuss.example("survey")`
-    prints one.
+    points, one of them (P1, P2, ...) or hits of one (P1_1, P1_2, ...). A geometry file gives their
+    coordinates; `percuss.example("survey")` prints one.
 
     Parameters
     ----------
@@ -90,14 +90,14 @@ def survey(
     estimator : {'h1', 'h2', 'hv'}, optional
         Estimate FRFs with h1, h2 or hv. Default: h1.
     accept_hit : int, str, or a list of them, optional
-        Accept these hits whatever their findings: numbers as in the table of hits, ranges, or all;
-        such as 1-5,8.
+        Accept these hits despite their findings: numbers as in the table of hits, ranges, or all;
+        such as 1-5,8. A hit without a pulse of the force gives no FRF and stays rejected.
     reject_hit : int, str, or a list of them, optional
         Reject these hits, written as for `accept_hit`.
     modes : int, optional
         Report this many modes, the clearest ones.
     start : float or list of float in Hz, optional
-        Fit modes near these frequencies and no others.
+        List modes near these frequencies and no others.
     trigger : float in N, optional
         Detect a hit above this force (default: from the noise).
     pretrigger : float in s, optional
