@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "identify/misfit/misfit.hpp"
 #include "identify/misfit/unresolved_partners.hpp"
 #include "identify/multi_output.hpp"
 #include "identify/select/finished_modes.hpp"

@@ -10,6 +10,7 @@
 
 #include "identify/model/close_poles.hpp"
 #include "identify/model/frf_synthesis.hpp"
+#include "identify/misfit/misfit.hpp"
 #include "identify/select/finished_modes.hpp"
 #include "identify/select/joint_refinement.hpp"
 #include "identify/select/sequential_fit.hpp"

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -11,6 +12,7 @@
 #include "core/budget.hpp"
 #include "core/lazy.hpp"
 #include "core/trace.hpp"
+#include "identify/hits/hit_frfs.hpp"
 #include "identify/model/frf_synthesis.hpp"
 #include "identify/start/unmodelled_peaks.hpp"
 #include "identify/started_modes.hpp"
@@ -87,7 +89,8 @@ class Analysis {
   std::vector<int> frf_points() const;
   /// Averaged FRFs over lines(), [points × channels], point by point, with the estimator of the options.
   const std::vector<acquire::PointFrf>& frfs() const;
-  /// H1 of the accepted hits, to which the modes are fitted; points ascending by number.
+  /// The FRFs to which the modes are fitted, points ascending by number: H1 of the accepted hits; once modes() is
+  /// known, without the drift of a survey.
   const identify::FrfDataset& fitted_frfs() const;
   /// Modes within the band, ascending.
   const std::vector<identify::Mode>& modes() const;
@@ -135,9 +138,14 @@ class Analysis {
   const std::vector<EarlierRinging>& earlier_ringing() const;
   // measured_spectra() without the earlier ringing.
   TestSpectra spectra() const;
+  // H1 of the accepted hits, as measured.
+  const identify::FrfDataset& averaged_frfs() const;
   identify::IdentifyOptions all_modes() const;
   // The modes of the starting frequencies that name no mode found.
   void add_started_modes(std::vector<identify::Mode>& found) const;
+  // Fits the modes again, to FRFs without the drift that they have in common, if they have one.
+  void remove_drift(const TestSpectra& from, const std::function<const identify::HitFrfs&()>& hits,
+                    std::vector<identify::Mode>& found) const;
   // Leaves out the modes that no starting frequency names, if there are any.
   void keep_started_modes(std::vector<identify::Mode>& modes) const;
   std::vector<AnalysedHit> compute_hits() const;
@@ -155,7 +163,7 @@ class Analysis {
   Lazy<acquire::LineRange> lines_;
   Lazy<HitResponses> responses_, settled_responses_;
   Lazy<std::vector<frf::Spectrum>> force_spectra_;
-  // The FRFs and modes with which earlier_ringing() searched. Set where it found no ringing: fitted_frfs_ and modes_
+  // The FRFs and modes with which earlier_ringing() searched. Set where it found no ringing: averaged_frfs_ and modes_
   // then begin with them.
   struct FirstModes {
     identify::FrfDataset frfs;
@@ -164,7 +172,8 @@ class Analysis {
   mutable std::optional<FirstModes> first_modes_;
   Lazy<std::vector<EarlierRinging>> earlier_ringing_;
   Lazy<std::vector<acquire::PointFrf>> frfs_;
-  Lazy<identify::FrfDataset> fitted_frfs_;
+  Lazy<identify::FrfDataset> averaged_frfs_;
+  mutable std::optional<identify::FrfDataset> steady_frfs_;  // set by modes()
   Lazy<std::vector<identify::Mode>> modes_;
   mutable std::vector<identify::Mode> margin_modes_;            // below the band; set with modes_
   mutable std::vector<identify::Mode> band_modes_;              // all within the band, if modes_ holds a part of them

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/parallel/parallel.hpp"
+#include "identify/hits/drift_removal.hpp"
 #include "identify/misfit/residual_end.hpp"
 #include "pipeline/analysis.hpp"
 #include "pipeline/stages/cancelled_tones.hpp"
@@ -15,6 +16,8 @@
 
 namespace percuss::pipeline {
 namespace {
+
+constexpr int kDriftPasses = 2;  // the first residues are those of the drifting modes
 
 std::vector<Tone> joined(std::vector<Tone> tones, const std::vector<Tone>& more) {
   tones.insert(tones.end(), more.begin(), more.end());
@@ -54,8 +57,32 @@ void Analysis::keep_started_modes(std::vector<identify::Mode>& modes) const {
   modes = std::move(listed);
 }
 
-const identify::FrfDataset& Analysis::fitted_frfs() const {
-  return within_budget(budget_, fitted_frfs_, [&] {
+void Analysis::remove_drift(const TestSpectra& from, const std::function<const identify::HitFrfs&()>& hits,
+                            std::vector<identify::Mode>& found) const {
+  for (int pass = 0; pass < kDriftPasses; ++pass) {
+    const std::optional<identify::DriftTrend> drift = identify::common_drift(found);
+    if (!drift) return;
+    identify::SteadyTest steady = identify::without_drift(averaged_frfs(), hits(), found, drift->freq_change_per_hit);
+    const auto of_steady = [&]() -> const identify::HitFrfs& { return steady.hits; };
+    steady_frfs_ = std::move(steady.set);
+    const identify::FrfDataset& set = *steady_frfs_;
+    std::vector<identify::Mode> again = identify::identify_modes(set, all_modes());
+    const auto search = [&] {
+      if (may_hide_modes(set, from, all_modes(), again))
+        add_hidden_modes(again, from.responses.tones, set, of_steady, options_.modes.effort);
+    };
+    search();
+    add_started_modes(again);
+    add_scatter_between_hits(set, from, of_steady, options_.modes, search, again);
+    identify::describe_common_drift(*drift, hits().points.size(), found, again);
+    found = std::move(again);
+  }
+}
+
+const identify::FrfDataset& Analysis::fitted_frfs() const { return steady_frfs_ ? *steady_frfs_ : averaged_frfs(); }
+
+const identify::FrfDataset& Analysis::averaged_frfs() const {
+  return within_budget(budget_, averaged_frfs_, [&] {
     const TestSpectra from = spectra();
     if (first_modes_) return std::move(first_modes_->frfs);
     const bool averaged = frfs_.ready() && options_.estimator == frf::Estimator::h1;
@@ -66,32 +93,34 @@ const identify::FrfDataset& Analysis::fitted_frfs() const {
 
 const std::vector<identify::Mode>& Analysis::modes() const {
   return within_budget(budget_, modes_, [&] {
-    const identify::FrfDataset& set = fitted_frfs();
+    const identify::FrfDataset& averaged = averaged_frfs();
     const TestSpectra from = spectra();
     const std::vector<Tone>& tones = from.responses.tones;
     const ThreadLimit limit(options_.threads);
     return trace_.run("modes", [&] {
       const identify::IdentifyOptions all = all_modes();
       std::vector<identify::Mode> found =
-          first_modes_ ? std::move(first_modes_->modes) : identify::identify_modes(set, all);
+          first_modes_ ? std::move(first_modes_->modes) : identify::identify_modes(averaged, all);
       const acquire::FrfRecord* const given = given_frfs();
       if (given) {
         add_started_modes(found);
-        widen_to_stated_noise(*given, set, found);
+        widen_to_stated_noise(*given, averaged, found);
       }
       std::optional<identify::HitFrfs> built;
       const auto hits = [&]() -> const identify::HitFrfs& {
-        if (!built) built = single_hits(set, from, comparable_hits(from));
+        if (!built) built = single_hits(averaged, from, comparable_hits(from));
         return *built;
       };
       HiddenModeSearch hidden;
       const auto search = [&] {
-        hidden = may_hide_modes(set, from, all, found) ? add_hidden_modes(found, tones, set, hits, all.effort)
-                                                       : HiddenModeSearch{};
+        hidden = may_hide_modes(averaged, from, all, found) ? add_hidden_modes(found, tones, averaged, hits, all.effort)
+                                                            : HiddenModeSearch{};
       };
       search();
       if (!given) add_started_modes(found);
-      add_scatter_between_hits(set, from, hits, options_.modes, search, found);
+      add_scatter_between_hits(averaged, from, hits, options_.modes, search, found);
+      if (!given && averaged.points.size() > 1) remove_drift(from, hits, found);
+      const identify::FrfDataset& set = fitted_frfs();
       if (!hidden.wandering.empty()) refit_modes_near_tones(found, hidden.wandering, set, hits(), all.effort);
       if (hidden.wandering.empty() && tones.empty()) searched_poles_ = hidden.unmodelled;
       remove_tone_modes(found, joined(tones, hidden.wandering), set, hits);

@@ -198,7 +198,7 @@ TEST_F(AnalyzeCommand, ReportsWithoutAUsableHit) {
   EXPECT_THAT(violations_in(document), IsEmpty());
   outcome = analyze({file("missing.h5")});
   EXPECT_EQ(outcome.code, 4);
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("no hammer pulse"), HasSubstr("no hit can be used")));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("no hammer pulse"), HasSubstr("no hit has a pulse of the force")));
 }
 
 }  // namespace percuss::analyze_command_test

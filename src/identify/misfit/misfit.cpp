@@ -155,4 +155,13 @@ void add_misfit(const FrfDataset& set, std::vector<Mode>& modes) {
   });
 }
 
+std::vector<Mode> with_misfit(const FrfDataset& set, std::vector<Mode> modes) {
+  for (Mode& mode : modes) {
+    mode.freq_std_parts_Hz.noise = mode.freq_std_Hz;
+    mode.damping_std_parts.noise = mode.damping_std;
+  }
+  add_misfit(set, modes);
+  return modes;
+}
+
 }  // namespace percuss::identify

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "identify/misfit/misfit.hpp"
 #include "identify/select/common_residues.hpp"
 #include "identify/select/local_force_noise.hpp"
 
@@ -14,15 +13,6 @@ std::vector<Mode> finished_modes(const FrfDataset& set, std::vector<FittedMode> 
   std::vector<Mode> modes;
   modes.reserve(found.size());
   for (FittedMode& mode : found) modes.push_back(std::move(mode.mode));
-  return modes;
-}
-
-std::vector<Mode> with_misfit(const FrfDataset& set, std::vector<Mode> modes) {
-  for (Mode& mode : modes) {
-    mode.freq_std_parts_Hz.noise = mode.freq_std_Hz;
-    mode.damping_std_parts.noise = mode.damping_std;
-  }
-  add_misfit(set, modes);
   return modes;
 }
 

@@ -11,7 +11,4 @@ namespace percuss::identify {
 /// FRFs, fits them all together.
 std::vector<Mode> finished_modes(const FrfDataset& set, std::vector<FittedMode> found);
 
-/// The same modes; their standard deviations are the noise's part, to which the misfit is added (add_misfit).
-std::vector<Mode> with_misfit(const FrfDataset& set, std::vector<Mode> modes);
-
 }  // namespace percuss::identify

@@ -78,8 +78,9 @@ class RoundedProblem : public LeastSquaresProblem {
 
 TEST(LevenbergMarquardt, ConvergesWhereRoundingHidesTheRestOfTheDecrease) {
   RoundedProblem strict, rounded;
-  EXPECT_EQ(levenberg_marquardt(strict).stop, Stop::no_decrease);
-  EXPECT_EQ(levenberg_marquardt(rounded, {.rounding_tolerance = 1e-12}).stop, Stop::rounding_limit);
+  EXPECT_EQ(levenberg_marquardt(strict, {.step_tolerance = 0}).stop, Stop::no_decrease);
+  EXPECT_EQ(levenberg_marquardt(rounded, {.step_tolerance = 0, .rounding_tolerance = 1e-12}).stop,
+            Stop::rounding_limit);
   RoundedProblem far;
   EXPECT_EQ(levenberg_marquardt(far, {.max_steps = 1, .rounding_tolerance = 1e-12}).stop, Stop::max_steps);
   RoundedProblem near;

@@ -37,7 +37,7 @@ TEST(ClearModes, IncludeOneBesideAMisfitThatRaisesTheLikelihoodMuch) {
     const auto x = static_cast<double>(o);
     test::add_mode(set, o, strong, 1 - 0.2 * x);
     test::add_mode(set, o, partner, 0.1 + 0.1 * x);
-    test::add_mode(set, o, weak, 0.02 + 0.01 * x);
+    test::add_mode(set, o, weak, 0.04 + 0.02 * x);
   }
   test::add_frf_noise(set, 1e-3, 3);
   const JointFit before = fit_residues(set, {strong}), after = fit_residues(set, {strong, weak});

@@ -48,7 +48,7 @@ TEST(AnalysisText, StatesThatNoHitCanBeUsed) {
   synth::SynthSpec spec = test::bending_and_hoop_spec();
   for (std::size_t hit = 0; hit < spec.hits; ++hit)
     spec.faults.push_back({.hit = hit, .kind = synth::SynthFaultKind::missing});
-  EXPECT_THAT(text_of(spec), AllOf(HasSubstr("no hit can be used"), Not(HasSubstr("damping"))));
+  EXPECT_THAT(text_of(spec), AllOf(HasSubstr("no hit has a pulse of the force"), Not(HasSubstr("damping"))));
 }
 
 TEST(AnalysisText, ListsTheModesOfEachHitIfChosen) {
