@@ -8,10 +8,10 @@
 namespace percuss::identify {
 
 /// The modes with the noise of the force in their standard deviations. Where the modes' residues do not add up to the
-/// FRFs, fits them all together.
+/// FRFs, fits all residues together (fit_common_residues).
 std::vector<Mode> finished_modes(const FrfDataset& set, std::vector<FittedMode> found);
 
-/// The same modes; their standard deviations are the noise's part, to which the misfit is added (add_misfit).
+/// Takes the standard deviations of the modes as the part of the noise, and adds the part of the misfit (add_misfit).
 std::vector<Mode> with_misfit(const FrfDataset& set, std::vector<Mode> modes);
 
 }  // namespace percuss::identify
