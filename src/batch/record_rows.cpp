@@ -51,7 +51,7 @@ struct RowContents {
   Json fs_Hz, band_Hz{Json(), Json()};
   std::size_t accepted = 0, rejected = 0;
   std::set<acquire::FindingCode> findings;
-  bool short_hit = false;             // the finding of a rejected hit of a record without a force
+  bool short_hit = false;             // a record without a force has a rejected hit, whose finding this is
   std::vector<std::string> warnings;  // in order of appearance
   std::vector<Json> modes;
   std::vector<Json> frfs;
@@ -84,7 +84,7 @@ Json row_start(const char* kind, const BatchRecord& record) {
   return {{"row", kind}, {"id", record.id}, {"path", record.path}};
 }
 
-/// The place of a mode among the results.
+/// The run of a mode, and its index among the modes of the run.
 struct ModeOfRun {
   int run = 0;
   std::size_t index = 0;

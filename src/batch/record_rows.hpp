@@ -30,8 +30,8 @@ struct RecordRows {
   std::string reason;  // of a failed record
 };
 
-/// Reads and analyses one record. The modes of a record without a force, which RowOptions::read must allow, come from
-/// its free decays; it has no FRFs. A record that cannot be analysed gives a row with the message of the command
+/// Reads and analyses one record. Without a force, which RowOptions::read must allow, the modes come from the free
+/// decays, and there are no FRFs. A record that cannot be analysed gives a row with the message of the command
 /// `analyze` as `reason` and its exit code as `code`. No error of a record is thrown. Text that is not UTF-8 is
 /// replaced.
 /// errors  MachineFault: the machine failed, so there is no result

@@ -45,7 +45,7 @@ std::optional<Unit> parse_unit(std::string_view name);
 /// As parse_unit; lb and lbs are pounds of force where `wanted` is a force. `where` is the place for the message.
 /// errors  InputError: unknown, or not a unit of `wanted`
 Unit require_unit(std::string_view name, Quantity wanted, std::string_view where);
-/// As above; the message names the options by which the user states the unit.
+/// As above; `options` are the options by which the user states the unit, for the message.
 Unit require_unit(std::string_view name, Quantity wanted, std::string_view where, const std::vector<OptionId>& options);
 
 /// The SI name of a quantity: N, m/s^2, V, s, rad, m, kg, Pa, m/s.

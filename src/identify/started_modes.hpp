@@ -12,19 +12,19 @@ namespace percuss::identify {
 
 /// The modes of a search and of stated frequencies.
 struct StartedModes {
-  std::vector<Mode> modes;            // ascending; the search's modes that no start names are among them
+  std::vector<Mode> modes;            // ascending; also the modes of the search that no start names
   std::vector<RefusedStart> refused;  // starts without a mode
 };
 
 /// Adds the modes of the starts that name no mode of `found`, the modes of a search. A start names the nearest mode
 /// within a bandwidth (poles_of_starts). Only the other starts are fitted, to the FRFs without the modes found; then
-/// all modes are fitted together. A mode found beside such a start may be two modes fitted as one: it is fitted again
-/// with the start. A start between two modes found, at neither of them, stands for one mode in their place. Where every
-/// start names a mode, `found` does not change.
+/// all modes are fitted together. A mode found near such a start may be two modes fitted as one: it is fitted again
+/// with the start. A start well between two modes found stands for one mode in their place. If every start names a
+/// mode, `found` does not change.
 StartedModes with_started_modes(const FrfDataset& set, std::vector<Mode> found, std::vector<double> start_Hz,
                                 Effort effort);
 
-/// The mode that each start names, nothing for a start without one.
+/// [start_Hz] the index of the mode that each start names; nothing for a start without one.
 std::vector<std::optional<std::size_t>> modes_of_starts(const acquire::LineRange& lines, const std::vector<Mode>& modes,
                                                         const std::vector<double>& start_Hz);
 

@@ -117,7 +117,7 @@ std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocu
   return pairs;
 }
 
-// Whether two pairs by frequency may be exchanged: see pair_modes().
+// Whether two pairs by frequency are exchangeable: see pair_modes().
 bool may_be_exchanged(const ComparedDocument& a, const ComparedDocument& b, const ModePair& first,
                       const ModePair& second, double furthest) {
   const auto crosswise = [&](const ModePair& one, const ModePair& other) {

@@ -55,8 +55,8 @@ struct ModePair {
   std::optional<double> difference_std_percent;
   std::optional<double> damping_difference_percent{};  // where both state a damping ratio above zero
   std::optional<double> damping_difference_std_percent{};
-  std::optional<identify::Mac> mac{};         // none: the modes are paired by frequency
-  std::vector<std::size_t> exchangeable_a{};  // modes of other pairs by frequency, whose partner may be b; ascending
+  std::optional<identify::Mac> mac{};         // nothing: the modes are paired by frequency
+  std::vector<std::size_t> exchangeable_a{};  // modes of other pairs whose partner may be b instead; ascending
 };
 
 struct PairedModes {
@@ -69,9 +69,9 @@ struct PairedModes {
 /// modes whose shapes cannot be compared pair by frequency, in ascending order: the number of pairs is maximised, then
 /// the sum of |ln(f_b/f_a)| is minimised. A bending mode never pairs with a hoop mode. Modes of 0 Hz (rigid-body modes)
 /// are left out.
-/// Two modes that crossed are then exchanged, which frequencies cannot show. Two pairs by frequency are named as
-/// exchangeable where their modes may pair crosswise, and where the two modes of one document lie no further apart than
-/// one of the pairs.
+/// Pairing by frequency exchanges two modes that crossed. Two pairs by frequency are therefore named as exchangeable
+/// (exchangeable_a) if their modes could also pair crosswise, and if the two modes of one document lie no further apart
+/// than the two modes of one of the pairs.
 PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options = {});
 
 /// The MAC of two modes at their common places; nothing for fewer than three.

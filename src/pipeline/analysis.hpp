@@ -56,14 +56,14 @@ class Analysis {
   /// Numbers of the measured points.
   std::set<int> points() const { return source_->points(); }
 
-  /// The names of the points in texts for people.
+  /// The names of the points for tables, messages and pages.
   const PointNames& point_names() const;
 
   /// The delays taken out of the channels: stated in the options, or established by the phases of the modes.
   const std::vector<ChannelDelay>& corrected_delays() const;
-  /// The record with predictions in the place of missing samples (acquire::gaps_of). Computed anew in each call.
+  /// The record with predictions in the place of missing samples (acquire::gaps_of). Not kept: each call computes it.
   ClosedGaps closed_gaps() const;
-  /// This record without these delays, from which every result follows.
+  /// The record of closed_gaps() without corrected_delays(). Every result follows from it.
   const acquire::Record& aligned_record() const;
 
   /// Hits graded by their force alone: reads nothing else. Element i is hit i + 1 in tables and messages.
@@ -118,8 +118,8 @@ class Analysis {
   const ChannelFindings& channel_findings() const;
   /// Each mode fitted to each accepted hit alone: repeatability, drift, dependence on the force.
   const std::vector<HitMode>& modes_per_hit() const;
-  /// The residues of modes() in each hit, [modes][hits], computed anew. Points are indices into frf_points(). Empty for
-  /// FRFs that were given, and for fewer than two hits that can be compared.
+  /// The residues of modes() in each hit, [modes][hits]. Not kept: each call computes them. Points are indices into
+  /// frf_points(). Empty for FRFs that were given, and for fewer than two hits that can be compared.
   std::vector<std::vector<ModeInHit>> residues_per_hit() const;
   /// The stabilisation diagram of fitted_frfs(), poles within the band. The modes do not need it.
   const identify::Stabilisation& stabilisation() const;
@@ -141,12 +141,12 @@ class Analysis {
   // H1 of the accepted hits, as measured.
   const identify::FrfDataset& averaged_frfs() const;
   identify::IdentifyOptions all_modes() const;
-  // The modes of the starting frequencies that name no mode found.
+  // Adds the modes of the starting frequencies that name no mode found (identify::with_started_modes).
   void add_started_modes(std::vector<identify::Mode>& found) const;
   // Fits the modes again, to FRFs without the drift that they have in common, if they have one.
   void remove_drift(const TestSpectra& from, const std::function<const identify::HitFrfs&()>& hits,
                     std::vector<identify::Mode>& found) const;
-  // Leaves out the modes that no starting frequency names, if there are any.
+  // If starting frequencies are stated, moves the modes that none of them names to unlisted_modes_.
   void keep_started_modes(std::vector<identify::Mode>& modes) const;
   std::vector<AnalysedHit> compute_hits() const;
   const std::vector<identify::ModeClassification>& types() const;
@@ -177,10 +177,10 @@ class Analysis {
   Lazy<std::vector<identify::Mode>> modes_;
   mutable std::vector<identify::Mode> margin_modes_;            // below the band; set with modes_
   mutable std::vector<identify::Mode> band_modes_;              // all within the band, if modes_ holds a part of them
-  mutable std::vector<identify::Mode> unlisted_modes_;          // within the band, which no starting frequency names
+  mutable std::vector<identify::Mode> unlisted_modes_;          // within the band, named by no starting frequency
   mutable std::vector<identify::RefusedStart> refused_starts_;  // set with modes_
-  mutable std::optional<double>
-      residual_end_Hz_;  // towards which the residual of misfitting modes grows; set with modes_
+  // The end of the lines towards which the residual of misfitting modes grows; set with modes_
+  mutable std::optional<double> residual_end_Hz_;
   // unmodelled_poles of all modes, where the search around unmodelled resonances added no mode; set with modes_
   mutable std::optional<std::vector<identify::Pole>> searched_poles_;
   Lazy<std::vector<identify::Mode>> modes_below_;

@@ -26,8 +26,8 @@ std::vector<Tone> joined(std::vector<Tone> tones, const std::vector<Tone>& more)
 
 }  // namespace
 
-// The number of modes that the options state limits the modes within the band, not the modes of its margin. Modes that
-// no stated frequency names take part in the fit, so that they do not falsify the others.
+// Leaves out the stated number of modes, which limits the modes within the band but not those of its margin, and the
+// stated frequencies: modes that none of them names must take part in the fit, so that they do not falsify the others.
 identify::IdentifyOptions Analysis::all_modes() const { return {.effort = options_.modes.effort}; }
 
 void Analysis::add_started_modes(std::vector<identify::Mode>& found) const {
@@ -170,7 +170,7 @@ const std::vector<identify::ModeClassification>& Analysis::classifications() con
 
 const std::vector<HitMode>& Analysis::modes_per_hit() const {
   return within_budget(budget_, modes_per_hit_, [&] {
-    // Modes that no start names take part in the fit of each hit.
+    // Modes that no starting frequency names take part in the fit of each hit, but not in the result.
     std::vector<identify::Mode> found = modes();
     const std::size_t listed = found.size();
     found.insert(found.end(), unlisted_modes_.begin(), unlisted_modes_.end());

@@ -28,7 +28,7 @@ struct AnalysisOptions {
   std::size_t threads = 0;          // 0: all
   std::optional<Budget> budget;     // default: default_budget() of the input
   std::vector<Warning> known;       // warnings about the input that are known before its analysis
-  std::set<int> geometry_points{};  // numbers of the stated geometry, for the names of points; empty: none stated
+  std::set<int> geometry_points{};  // point numbers of a stated geometry, for PointNames; empty: none stated
 };
 
 /// The limits of an analysis of `record`: the stated ones, by default default_budget() of its files.

@@ -36,7 +36,7 @@ void remove_consequences_of_window(std::vector<Warning>& warnings) {
                 [](const Warning& warning) { return warning.code == "not_at_rest" || warning.code == "hits_differ"; });
 }
 
-// The sensors whose ratios gave the modes their types; nothing where they have none.
+// The sensors whose ratios gave the modes their types; nothing if no mode has a ratio.
 std::optional<identify::SensorPair> tube_sensors(const acquire::Record& record,
                                                  const std::vector<identify::ModeClassification>& classifications) {
   const bool typed = std::any_of(classifications.begin(), classifications.end(),
@@ -63,11 +63,11 @@ std::vector<Warning> Analysis::warnings() const {
   if (modes_.ready() && !force_known) add(force_noise_warnings(modes()));
   const std::vector<SilentPoint> silent_at =
       responses_.ready() ? silent_points(graded, responses()) : std::vector<SilentPoint>{};
-  std::set<std::size_t> silent_hits;
+  std::set<std::size_t> noisy_hits;
   if (force_known && responses_.ready() && hits_.ready())
-    silent_hits = hits_that_differ_by_noise(graded, responses(), transform_options());
-  for (const SilentPoint& one : silent_at) silent_hits.insert(one.hits.begin(), one.hits.end());
-  add(hit_warnings(record(), graded, point_names(), silent_hits));
+    noisy_hits = hits_that_differ_by_noise(graded, responses(), transform_options());
+  for (const SilentPoint& one : silent_at) noisy_hits.insert(one.hits.begin(), one.hits.end());
+  add(hit_warnings(record(), graded, point_names(), noisy_hits));
   if (force_known) add(refused_hit_warnings(graded, options_.accept_hits, options_.reject_hits));
   const std::vector<Warning> other_units =
       force_known ? point_force_warnings(record(), graded, point_names()) : std::vector<Warning>{};
@@ -110,7 +110,7 @@ std::vector<Warning> Analysis::warnings() const {
     add(object_warnings(classifications(), options_.classes));
     const auto of_tube = tube_warnings(record(), modes(), classifications(), options_.classes, modes_are_complete());
     const auto is = [](const char* code) { return [code](const Warning& warning) { return warning.code == code; }; };
-    // The unit that differs is then the cause of the motion.
+    // A unit that differs explains the implausible motion.
     if (std::any_of(of_tube.begin(), of_tube.end(), is("units_differ"))) std::erase_if(out, is("implausible_motion"));
     add(of_tube);
     add(split_mode_warnings(modes(), classifications()));

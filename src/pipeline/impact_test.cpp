@@ -120,7 +120,7 @@ std::vector<PointDeflection> averaged(const std::vector<DeflectedHit>& hits, con
   return points;
 }
 
-// The impacts that lack samples within their pulse, or too many after it.
+// lost_samples: the impacts that are not used because they lack samples within their pulse, or too many after it.
 std::vector<Warning> left_out_warnings(const std::vector<AnalysedHit>& impacts, const AnalysisOptions& options) {
   std::vector<Warning> out;
   for (std::size_t h = 0; h < impacts.size(); ++h) {

@@ -63,6 +63,7 @@ MeasuredPoints measured_points(const Analysis& analysis, const ScanPositions& po
   return measured;
 }
 
+// The indices of the modes that are no hoop modes.
 std::vector<std::size_t> modes_of_scan(const Analysis& analysis) {
   std::vector<std::size_t> shown;
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
@@ -71,7 +72,7 @@ std::vector<std::size_t> modes_of_scan(const Analysis& analysis) {
   return shown;
 }
 
-// The amplitude of each hit of one mode, by points of the shape.
+// [points of the shape][hits] the amplitudes of one mode.
 std::vector<std::vector<identify::AmplitudeOfHit>> amplitudes_of(const Analysis& analysis, const identify::Mode& mode,
                                                                  const std::vector<ModeInHit>& hits,
                                                                  const MeasuredPoints& measured,
@@ -98,8 +99,8 @@ std::vector<std::vector<identify::AmplitudeOfHit>> amplitudes_of(const Analysis&
   return out;
 }
 
-// The shapes along the scan. Where the hits scatter about their places, the scatter of all points and modes together
-// gives the standard deviations: two or three hits do not tell the scatter of their own point.
+// [shown] the shapes along the scan. If the hits scatter about their places, the scatter of all points and modes
+// together gives the standard deviations, because two or three hits do not determine the scatter of one point.
 std::vector<identify::ScanShape> shapes_of(const Analysis& analysis, const std::vector<std::size_t>& shown,
                                            const MeasuredPoints& measured) {
   std::vector<identify::HitsAlongScan> modes;

@@ -88,7 +88,7 @@ void Survey::place_points() {
   if (!geometry_) return;
   const std::set<int> measured = places();
   const acquire::Record& record = analysis_.record();
-  // A geometry numbers places, and files with directions may share them.
+  // A geometry numbers places. In a record with directions, several files may belong to one place.
   const std::vector<std::string> files =
       record.motions.empty() ? files_of_points(record, analysis_.points()) : std::vector<std::string>{};
   if (options_.geometry) {

@@ -45,7 +45,7 @@ class Survey {
   std::set<int> places() const;
   /// The place of a point in the geometry.
   int place_of(std::size_t point) const;
-  /// The number in the geometry's file of a point of geometry(), which has the record's numbers.
+  /// The number that the geometry's file has for a point of geometry(), whose numbers are the record's.
   int stated_number(int point) const;
 
   /// [modes]; a value is positive along the positive direction that the record states, if any.

@@ -22,7 +22,7 @@ std::set<int> numbers_of(const acquire::Geometry& geometry) {
   return out;
 }
 
-// The files' numbers become those of the record. Points without a file follow.
+// Gives the points the numbers 0, 1, … in the order of their files. Points without a file follow.
 void number_as_files(acquire::Geometry& geometry, const std::vector<int>& numbers) {
   std::map<int, int> point_of;
   for (const int number : numbers) point_of.emplace(number, static_cast<int>(point_of.size()));
@@ -30,7 +30,7 @@ void number_as_files(acquire::Geometry& geometry, const std::vector<int>& number
   acquire::renumber_points(geometry, [&](int number) { return point_of.at(number); });
 }
 
-// The order of the files decided, although their names have numbers.
+// files_in_order: the order of the files decides, although their names have numbers.
 Warning files_in_order(const std::vector<std::string>& files, int first) {
   Warning warning{"files_in_order",
                   fmt::format("the numbers in the files' names are not those of the geometry: the files are its points "

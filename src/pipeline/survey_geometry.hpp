@@ -14,24 +14,26 @@ namespace percuss::pipeline {
 /// How match_point_numbers() renumbered a stated geometry.
 struct MatchedPoints {
   GeometryNumbers numbers = GeometryNumbers::record;
-  std::map<int, int> stated{};  // number in the geometry's file, by the number in the record
+  std::map<int, int> stated{};  // the number in the geometry's file, by the number in the record
   std::vector<Warning> warnings{};
 };
 
-/// Gives the points of a stated geometry the record's numbers, with its lines and faces: see geometry_numbers().
-/// `files` are files_of_points(). A point that was not measured has a number above all measured points if the names of
-/// the files decided. Numbers that the names contradict stay. The warnings state what was assumed, also about the unit.
+/// Gives the points, lines and faces of a stated geometry the record's numbers, see geometry_numbers(). `files`: from
+/// files_of_points(). If the names of the files decide, points that were not measured have numbers above all measured
+/// points. If the names contradict the geometry, its numbers stay. The warnings state the assumptions, also about the
+/// unit.
 MatchedPoints match_point_numbers(acquire::Geometry& geometry, const std::set<int>& measured,
                                   const std::vector<std::string>& files = {});
 
-/// errors  InputError at `where`: the matched geometry lacks a point that was measured. The message states the missing
-/// point in the numbers of the geometry: by the name of its file, and if the geometry may number its points from 1 and
-/// the record from 0.
+/// errors  InputError at `where`: the matched geometry lacks a measured point. The message states the number that the
+/// point has in the geometry: the number in the name of its file; or one more than the record's number, if the geometry
+/// may count from 1 and the record from 0.
 void require_points(const acquire::Geometry& geometry, const std::set<int>& measured, const std::string& where,
                     const MatchedPoints& matched = {}, const std::vector<std::string>& files = {});
 
-/// The points of a matched geometry that were not measured: a survey in parts, or a missing file. Without numbers in
-/// the names, a missing file shifts all others. `files`: their number.
+/// missing_points: the points of a matched geometry that were not measured, because the survey is a part or a file is
+/// missing. Without numbers in the names, a missing file shifts the points of all later files. `files`: number of
+/// files.
 std::vector<Warning> missing_points(const acquire::Geometry& geometry, const std::set<int>& measured,
                                     const MatchedPoints& matched, std::size_t files);
 

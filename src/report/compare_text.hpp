@@ -13,9 +13,9 @@ std::size_t first_mode_number(const metrics::ComparedDocument& document);
 /// The partner of a mode of the first document, or nullptr.
 const metrics::ModePair* pair_at(const Comparison& comparison, std::size_t mode);
 
-/// A row for each mode of the first document, with its partners in the others; whether they are paired by frequency
-/// alone, and which of them may be exchanged; the modes without a partner; the damping ratios. `comparisons`: of each
-/// document after the first.
+/// A row for each mode of the first document, with its partners in the others; a sentence if modes are paired by
+/// frequency alone, and which pairs may be exchanged; the modes without a partner; the damping ratios. `comparisons`:
+/// of each document after the first.
 ReportText compare_modes_text(const std::vector<metrics::ComparedDocument>& documents,
                               const std::vector<Comparison>& comparisons);
 /// A row for each place at which both documents state a deflection.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/io/counted_words.hpp"
 #include "core/units.hpp"
 #include "report/json/response_json.hpp"
 #include "report/svg/response_spectra.hpp"
@@ -23,8 +24,6 @@ namespace {
 
 constexpr std::size_t kMaxShapeColumns = 6;
 constexpr auto kRight = TextTable::Align::right;
-
-const char* plural(std::size_t count) { return count == 1 ? "" : "s"; }
 
 std::string heading(const pipeline::ResponseTest& test) {
   const acquire::Record& record = test.record;
@@ -102,7 +101,7 @@ ReportText text_of(const pipeline::ResponseTest& test, const std::set<ReportSect
   const bool classes = sections.contains(ReportSection::classes);
   const bool modes = classes || sections.contains(ReportSection::modes);
   ReportText text = heading(test);
-  // The modes of a single good hit need no table of hits.
+  // Beside the modes of a single usable hit, a table of hits says nothing.
   const bool hits = sections.contains(ReportSection::hits) && !test.hits.empty() && !test.no_impact &&
                     (test.hits.size() > 1 || !test.possible() || !modes);
   if (hits) {

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Measured frequencies less fitted values.
+// The degrees of freedom: measured frequencies less fitted values.
 std::size_t spare_frequencies(const FittedShell& fitted) {
   const std::size_t values = (fitted.fit.young_std_Pa > 0 ? 1U : 0U) + (fitted.fit.wall_std_m > 0 ? 1U : 0U);
   return fitted.measured.size() - values;

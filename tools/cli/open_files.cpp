@@ -112,7 +112,7 @@ struct BadFile {
   std::exception_ptr error;
 };
 
-// "README.txt: fewer than two samples". Rethrows an error that is not the file's.
+// "README.txt: fewer than two samples". Rethrows an error that the file does not cause.
 std::string problem_of(const BadFile& file) {
   constexpr std::size_t kMaxProblem = 60;  // bytes: five of them fit into a message
   try {
@@ -124,7 +124,7 @@ std::string problem_of(const BadFile& file) {
   }
 }
 
-// Refuses several files at once, so that a folder with odd files can be cleaned up in one go.
+// Names several unreadable files in one message, so that a user can clean up a folder at once.
 [[noreturn]] void refuse_all(const std::vector<BadFile>& bad, std::size_t files, bool found) {
   constexpr std::size_t kMaxBad = 5;
   std::string list;

@@ -59,7 +59,7 @@ void refuse_frf_files(const OutputFlags& output, const std::string& input) {
 
 using Sections = std::set<report::ReportSection>;
 
-// A table or a picture shows modes even where the sections leave them out.
+// Whether modes are needed: by a section, or by a table or a picture of modes, whatever the sections are.
 pipeline::ResponseWork work_of(const AnalyzeFlags& flags, const Sections& sections) {
   const auto shows_modes = [](const std::string& path) {
     return extension_of(path) == ".csv" || extension_of(path) == ".svg";

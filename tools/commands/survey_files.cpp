@@ -20,7 +20,7 @@ namespace {
 using acquire::FilesOfHits;
 using Records = std::vector<acquire::Record>;
 
-// The groups of files that are hits of one point by their names. Empty where a file states points of its own.
+// The groups of files whose names mark them as hits of one point. Empty if a file states points, places or a geometry.
 std::vector<FilesOfHits> groups_of_files(const Records& records) {
   std::vector<std::string> paths;
   for (const acquire::Record& record : records) {
@@ -62,8 +62,8 @@ acquire::Record record_of_groups(Records records, const std::vector<FilesOfHits>
   return joined;
 }
 
-// Whether the hits of most points have one FRF. Hits at different places leave much of each other's responses
-// unexplained.
+// Whether most hits agree with the other hits of their point. Hits at different places do not: they leave much of each
+// other's responses unexplained.
 bool hits_agree(const pipeline::Analysis& analysis) {
   std::size_t compared = 0, odd = 0;
   for (const pipeline::AnalysedHit& hit : analysis.hits()) {
@@ -76,7 +76,7 @@ bool hits_agree(const pipeline::Analysis& analysis) {
   return 2 * odd < compared;
 }
 
-// How the files were taken, and the commands that group them otherwise.
+// files_as_points: each file was taken as a point, and the command that joins files to points.
 pipeline::Warning taken_as_points(const Records& records, const FilesOfHits& group) {
   std::string files;
   for (const std::size_t file : group.files) files += shell_quoted_argument(records[file].source()) + " ";

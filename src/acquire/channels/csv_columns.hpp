@@ -38,7 +38,8 @@ class AmbiguousColumns : public InputError {
   bool roles_known = false;  // only the scale of volts is missing
 };
 
-/// Throws `error` with the columns of the file, if it asks for the scale of accelerations in volts. Else returns.
+/// Throws `error` as AmbiguousColumns with the columns of the file, if it asks for the scale of accelerations in volts.
+/// Returns otherwise.
 void throw_with_columns_if_unscaled(const InputError& error, const CsvHeader& header, const std::string& format);
 
 /// Finds the columns by the options (name, name without unit, or 1-based number; letter case aside), then by the roles

@@ -27,11 +27,11 @@ struct NamedSignal {
 /// Which signals are the force and the accelerations.
 struct NamedRoles {
   std::optional<NamedSignal> force;  // nothing: no force
-  std::vector<NamedSignal> accel;    // in the order of the options, else the force before the channels
+  std::vector<NamedSignal> accel;    // in the order of the options; without them "force" first, then the channels
 };
 
-/// The roles by the options, else by the set-up's roles, else by the names. A signal called "accel 1" may be the force,
-/// and the one called "force" an acceleration. `has_force`: the file has a signal of that name.
+/// The roles by the options, else by the set-up's roles, else by the names. The signal called "accel 1" may be the
+/// force, and the signal called "force" an acceleration. `has_force`: the file has a signal called "force".
 /// errors  InputError: an option or the set-up names a signal that does not exist; one signal with two roles; no
 /// acceleration; no force, unless it is optional.
 NamedRoles named_roles(const ReadOptions& options, std::size_t channels, bool has_force, const std::string& path);

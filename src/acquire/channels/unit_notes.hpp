@@ -7,7 +7,7 @@ namespace percuss::acquire {
 /// accelerations and one for the pressures, from `unit_assumed` of its signals.
 void note_assumed_units(Record& record);
 
-/// The note on a sound file of which neither file nor user states a scale.
+/// The note on a sound file whose scale neither the file nor the user states.
 inline constexpr const char* kFullScaleNote =
     "stored numbers are fractions of full scale: give N and m/s^2 at full scale";
 

@@ -31,7 +31,8 @@ struct Finding {
   double value = 0;
   std::string message;              // one sentence, with units
   std::vector<OptionId> options{};  // that the message concerns
-  // double_hit: from the first pulse to the second; lost_samples: from the blow to samples that are missing after it
+  // double_hit: from the first pulse to the second. lost_samples: from the blow to the missing samples after it;
+  // nothing if they lie within the pulse or beside it.
   std::optional<double> delay_s{};
   bool before_main = false;  // double_hit: the smaller pulse came first
 };

@@ -21,7 +21,7 @@ struct NameOfHit {
   int number = 0;
 };
 
-// The place where the word, in any case, ends `text`; nothing where another letter stands before it.
+// The index at which `word` starts if `text` ends with it, in any letter case; nothing if a letter stands before it.
 std::optional<std::size_t> start_of_word(std::string_view text, std::string_view word) {
   if (text.size() <= word.size()) return std::nullopt;
   const std::size_t at = text.size() - word.size();

@@ -5,16 +5,16 @@
 
 namespace percuss::acquire {
 
-/// Files that are hits of one point by their names.
+/// Files whose names mark them as hits of one point.
 struct FilesOfHits {
   std::string stem;                // what their paths have in common: "P3" of P3_1.csv and P3_2.csv
   std::vector<std::size_t> files;  // indices, in their order
 };
 
-/// Groups files of the names NAME_1, NAME_2, …: each name ends in a number, before the extension, and in front of it
-/// stands _, -, a blank, an opening parenthesis, "hit" or "h". Files of one NAME are a group. The groups have
+/// Groups files with names such as NAME_1, NAME_2, …: each name ends in a number before its extension, and before this
+/// number stands _, -, a blank, an opening parenthesis, "hit" or "h". Files of one NAME are a group. The groups have
 /// the order of their first files. Empty unless all names have this form, no two files of a group have the same number,
-/// and at least two groups have the same numbers, two or more.
+/// and at least two groups of two files or more have the same set of numbers.
 std::vector<FilesOfHits> files_of_hits(const std::vector<std::string>& paths);
 
 }  // namespace percuss::acquire

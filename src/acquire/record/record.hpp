@@ -38,8 +38,7 @@ struct SignalInfo {
 /// Whether the signal is that of a microphone, in Pa.
 inline bool is_pressure(const SignalInfo& signal) { return signal.measures == Quantity::pressure; }
 
-/// A range of time in which all signals were sampled without a gap, but for the missing samples that Record::faults
-/// states.
+/// A range of time in which all signals were sampled without a gap, except for the missing samples in Record::faults.
 struct RowInfo {
   std::size_t samples = 0;
   std::size_t file = 0;          // index into Record::files

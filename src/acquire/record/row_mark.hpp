@@ -52,7 +52,7 @@ enum class FaultKind {
 struct RecordFault {
   FaultKind kind = FaultKind::gap;
   int row = -1;       // whose samples are concerned; −1: between the rows
-  double time_s = 0;  // since the start of the capture; of missing_samples: of the row
+  double time_s = 0;  // since the start of the capture; for missing_samples, since the start of the row
   double value = 0;
   bool operator==(const RecordFault&) const = default;
 };

@@ -92,7 +92,7 @@ bool is_exact(const TimeStamps& row, const Deviation& deviation) {
   return deviation.stamp_s <= 0.01 * row.resolution_s;
 }
 
-// The range of the stamps' distances from times that are step_s apart.
+// The range (largest minus smallest) of the stamps' distances from times that are step_s apart.
 double range_around_s(std::span<const double> t, double step_s) {
   double least_s = 0, most_s = 0;
   for (std::size_t i = 1; i < t.size(); ++i) {
@@ -103,7 +103,7 @@ double range_around_s(std::span<const double> t, double step_s) {
   return most_s - least_s;
 }
 
-constexpr double kArithmetic = 1e-6;  // of a unit of the last digit
+constexpr double kArithmetic = 1e-6;  // rounding errors of the arithmetic, in units of the last digit
 
 // Whether evenly spaced times explain every stamp within half a unit of its last digit. The range of the residuals is a
 // convex function of the step.
@@ -162,7 +162,7 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-// The usual step: the mean of the steps around the median, of which rounding alone moves each.
+// The usual step: the mean of the steps near the median, which differ only by rounding. 0 if there are none.
 double usual_step_s(const std::vector<double>& steps) {
   constexpr double kUsual = 0.5;  // largest difference from the median, relative to it
   const double middle_s = median_of(steps);
@@ -175,9 +175,10 @@ double usual_step_s(const std::vector<double>& steps) {
   return count > 0 ? sum_s / count : 0;
 }
 
-// The steps of more than one `step_s`. Nothing where a step is none, or where too many stamps are missing.
+// The gaps in steps of two `step_s` or more. Empty if a step is shorter than half of `step_s`, or if too many stamps
+// are missing.
 std::vector<StampGap> long_steps(const std::vector<double>& steps, double step_s) {
-  constexpr std::size_t kMaxMissingPart = 10;  // a tenth
+  constexpr std::size_t kStepsPerMissing = 10;  // at most one stamp of so many may be missing
   std::vector<StampGap> gaps;
   std::size_t missing = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -187,7 +188,7 @@ std::vector<StampGap> long_steps(const std::vector<double>& steps, double step_s
     gaps.push_back({.at = i + 1, .count = static_cast<std::size_t>(count) - 1});
     missing += gaps.back().count;
   }
-  return missing * kMaxMissingPart > steps.size() ? std::vector<StampGap>() : gaps;
+  return missing * kStepsPerMissing > steps.size() ? std::vector<StampGap>() : gaps;
 }
 
 // The index of the stamp after the step that differs most from the median step, for messages.
@@ -307,7 +308,8 @@ std::vector<StampGap> gaps_of_stamps(const TimeStamps& row, std::optional<double
   };
   if (fs_Hz) {
     const auto explains = [&](std::span<const double> t) {
-      return range_around_s(t, 1 / *fs_Hz) <= (1 - kArithmetic) * row.resolution_s;  // a lost sample may make it a unit
+      // Less than one unit: a lost sample can raise the range to one unit.
+      return range_around_s(t, 1 / *fs_Hz) <= (1 - kArithmetic) * row.resolution_s;
     };
     if (explains(row.time_s)) return {};
     std::vector<StampGap> gaps = long_steps(steps, 1 / *fs_Hz);

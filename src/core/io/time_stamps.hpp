@@ -28,9 +28,9 @@ struct StampedRate {
 };
 
 enum class StampProblemKind {
-  uneven,        // or too coarse, or too few
-  jump,          // uneven, as the time jumps ahead by at least one and a half usual steps
-  rates_differ,  // the rows are even, but their rates are not the same
+  uneven,        // uneven, too coarse or too few stamps
+  jump,          // uneven, because a step is at least one and a half usual steps long
+  rates_differ,  // the stamps of each row are even, but the rates of the rows differ
 };
 
 /// The reason why time stamps give no rate, and the place of the worst stamp.
@@ -53,14 +53,13 @@ struct StampGap {
 /// coarse to give the rate to 5e-4, or are fewer than two; rows whose rates differ by more than 1e-3.
 std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows, StampProblem& problem);
 
-/// The gaps of stamps that are even but for missing ones, as a file with lost lines has: every step is a whole number
-/// of usual steps. Without `fs_Hz`, a usual step must be at least four units of the last digit: coarser stamps of a
-/// rate just below one sample per unit look alike. `fs_Hz`: the rate, if it is stated; then none where even stamps of
-/// this rate explain all. Empty where there is no gap, where more than a tenth of the stamps is missing, and where the
-/// rest is uneven.
+/// The gaps in a row from which lines were lost: every step is a whole number of usual steps. `fs_Hz`: the rate, if it
+/// is stated; there is no gap if even stamps of this rate explain all stamps. Without it, a usual step must be at least
+/// four units of the last digit, because coarser stamps with a gap look like stamps of a rate just below one sample per
+/// unit. Empty if more than a tenth of the stamps is missing, or if the stamps are uneven in another way.
 std::vector<StampGap> gaps_of_stamps(const TimeStamps& row, std::optional<double> fs_Hz = {});
 
-/// The stamps with those of the gaps, which divide each gap evenly. `gaps` ascend.
+/// The stamps with the missing ones, which divide each gap evenly. `gaps` ascend.
 std::vector<double> with_missing_stamps(std::span<const double> time_s, const std::vector<StampGap>& gaps);
 
 /// The number with the fewest significant decimal digits in [low, high], 0 < low <= high.

@@ -45,8 +45,8 @@ struct LevenbergMarquardtOptions {
   double cost_tolerance = 0;
   // The search ends after this many steps in a row that each lower the cost by less than cost_tolerance; 0: never.
   int max_small_decreases = 0;
-  // Where no trial lowers the cost, or after max_steps, an expected decrease below this fraction of the cost is within
-  // its rounding: the search has converged. Unknowns that the data hardly determine may not reach step_tolerance.
+  // If no trial lowers the cost, or after max_steps, an expected decrease below this fraction of the cost is taken as
+  // rounding, and the search as converged. Unknowns that the data hardly determine may never reach step_tolerance.
   double rounding_tolerance = 0;
 };
 

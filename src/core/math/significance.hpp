@@ -18,16 +18,15 @@ double student_factor(double degrees);
 /// The probability that a normal deviate exceeds `deviate`.
 double upper_tail(double deviate);
 
-/// The probability that at least `count` of `tests` independent tests fall below `p_value` by chance. Few tests that
-/// are hardly significant alone can be so together. count from 1 to tests, p_value from 0 to 1.
+/// The probability that at least `count` of `tests` independent tests fall below `p_value` by chance. Several tests can
+/// be significant together although each alone is not. count: 1 to `tests`; p_value: 0 to 1.
 double chance_of_count(std::size_t count, std::size_t tests, double p_value);
 
 /// χ² as the normal deviate of the same probability, by the cube root of Wilson and Hilferty.
 double chi2_deviate(double chi2, double degrees);
 
-/// The factor of standard deviations where a fit leaves more than they explain: the root of χ² per degree of freedom
-/// (Birge's ratio), if chance exceeds this χ² less often than once in 1000 cases; otherwise 1. 1 without degrees of
-/// freedom.
+/// The factor by which a misfit enlarges the standard deviations of a fit: the root of χ² per degree of freedom
+/// (Birge's ratio), if χ² is larger than chance makes it once in 1000 cases; otherwise 1. 1 without degrees of freedom.
 double birge_ratio(double chi2, double degrees);
 
 }  // namespace core

@@ -16,8 +16,9 @@ constexpr double kSplitDeviations = 2;         // standard deviations that noise
 constexpr double kSplitSpacing = 0.15;         // of the lower frequency: largest separation, besides double_peak_Hz
 constexpr double kMinLoneProbability = 0.9;    // below it the second type is stated …
 constexpr double kMinRivalProbability = 0.03;  // … and where the second type has more than this
-// Logarithms: a few modes may speak for another object, but not ten times as much as for a tube. On a tube, each
-// further mode speaks for it; from nine modes on, it must be the likelier object.
+// Limits of the logarithm of the Bayes factor for a tube. With few modes, another object may be ten times as likely.
+// Each further mode raises the limit, because on a tube it is evidence for the tube; from nine modes on, the tube must
+// be the likelier object.
 constexpr double kMinTubeEvidence = -2.3, kTubeEvidencePerMode = 0.5, kManyTubeModes = 9;
 constexpr double kSameAngle_rad = 0.1;  // sensors at one angle see bending and hoop modes alike
 constexpr double kMaxOutOfPhase = 0.4;  // RatioAngle::out_of_phase above which the shape is not real
@@ -75,6 +76,7 @@ std::vector<TypePosterior> posteriors_of(const std::vector<Mode>& modes, const s
   return type_posteriors(evidence, RatioLikelihood(sensors.first_rad, sensors.second_rad, error));
 }
 
+// The least log_tube_evidence() of an object that counts as a tube.
 double min_tube_evidence(std::size_t modes) {
   return std::clamp(kTubeEvidencePerMode * (static_cast<double>(modes) - kManyTubeModes), kMinTubeEvidence, 0.0);
 }

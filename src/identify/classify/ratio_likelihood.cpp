@@ -14,7 +14,7 @@ constexpr double kPatternStd_rad = 0.035;  // 2°: error of the pattern, for mix
 constexpr double kPlaneStd_rad = 0.14;     // 8°: scatter of the planes of different bending modes
 // Prior of bending in the bat's plane or at right angles to it; the rest is bending in any plane.
 constexpr double kKnownPlane = 0.7;
-constexpr double kBlowStd_rad = 0.02;  // 1°: scatter of the planes of a round tube's modes, all those of one blow
+constexpr double kBlowStd_rad = 0.02;  // 1°: scatter of the bending planes of a round tube about the plane of the blow
 constexpr double kPlaneOfBlow = 0.9;   // prior of this plane; the rest is bending in any plane
 constexpr double kOtherTypePrior =
     0.05;                             // prior of modes that are neither bending nor n = 2, for a bat below a few kHz

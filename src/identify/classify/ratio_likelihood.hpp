@@ -41,7 +41,7 @@ class RatioLikelihood {
   double bending(const RatioAngle& ratio) const;
   /// Bending of a bat whose modes mostly lie in this plane or at right angles to it.
   double bending(const RatioAngle& ratio, double plane_rad) const;
-  /// Bending of a round tube, whose modes all lie in the plane of the blow.
+  /// Bending of a round tube, whose modes all lie in the plane of the blow, `plane_rad`.
   double bending_of_blow(const RatioAngle& ratio, double plane_rad) const;
   /// Hoop, n = 2, at any angle: for one placement, and summed over all placements.
   double hoop(const RatioAngle& ratio, std::size_t placement) const;

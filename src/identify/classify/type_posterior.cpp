@@ -107,12 +107,12 @@ class JointPosterior {
     if (!modes.empty()) tables_[0].prior = prior_at(modes[0].freq_Hz);
   }
 
-  // Every mode has the prior of its frequency, not only the lowest.
+  // Gives every mode the prior at its frequency; by default only the lowest mode has it.
   void use_all_frequencies() {
     for (std::size_t m = 0; m < modes_.size(); ++m) tables_[m].prior = prior_at(modes_[m].freq_Hz);
   }
 
-  // Logarithm of the mean over the shared unknowns.
+  // Logarithm of the likelihood of all ratios, averaged over the shared unknowns.
   double log_evidence() const {
     const std::vector<double> log_weight = log_weights();
     const double most = *std::max_element(log_weight.begin(), log_weight.end());

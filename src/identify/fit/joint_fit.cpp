@@ -55,7 +55,7 @@ class JointProblem : public LeastSquaresProblem {
   void accept() override { state_ = std::move(trial_); }
 
  private:
-  // Solves for a step without this unknown.
+  // Decouples this unknown, so that its step is 0.
   void hold(Index at) {
     const double diagonal = normal_.matrix(at, at);
     normal_.matrix.row(at).setZero();

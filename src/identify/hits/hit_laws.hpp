@@ -18,8 +18,9 @@ struct HitSeries {
 /// sees a trend before χ² does.
 double trend_deviate(const HitSeries& series, const std::vector<double>& peak_N);
 
-/// Whether a regression line over the order of the hits, or over a function of their force, explains 70 % of the χ² of
-/// the values, with a slope that passes a t test.
+/// Whether a regression line explains 70 % of the χ² of the values with a slope that passes a t test (1 %, two-sided).
+/// The line is over the order of the hits, or over their force, its square or its logarithm.
+/// peak_N  [hits of the test]
 bool follows_a_law(const HitSeries& series, const std::vector<double>& peak_N);
 
 /// Decides for all series together whether the forces of the hits or their order explain the scatter, and describes the

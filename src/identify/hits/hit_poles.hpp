@@ -31,23 +31,24 @@ struct HitPoles {
 };
 
 /// Each mode's pole in each hit, [modes]: one Gauss–Newton step of the hit's own FRFs from the modes' poles, over each
-/// mode's window. Modes fitted in one window are solved for together; the others are subtracted. of_hits: as
+/// mode's window. Modes fitted in one window are solved for together; the others are subtracted. `of_hits`: see
 /// hit_data().
 std::vector<HitPoles> linearised_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                                            const std::vector<ModeWindow>& windows,
                                            const std::vector<Mode>& of_hits = {});
 
 /// The same for the modes of one window, [window.modes], by complete local fits. They also follow poles too far from
-/// the modes' poles for one Gauss–Newton step. If no point has several hits, the average of each point is that of all.
+/// the modes' poles for one Gauss–Newton step. If no point has several hits, the average of all points stands for the
+/// average of each.
 std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                                        const ModeWindow& window, const std::vector<Mode>& of_hits = {});
 
-/// Whether some point has several hits. points: [hits] index of the hit's point
+/// Whether a point has several hits. points: [hits] index of the hit's point
 bool has_repeated_points(const std::vector<std::size_t>& points);
 
-/// The modes with the residues of the single hits, [channels of hits.set], all fitted together at the modes' poles. A
-/// blow in another direction changes them. Empty where no ratios of `linear`, from linearised_hit_poles(), scatter
-/// clearly: the residues of the test then serve, which a window of lines determines better.
+/// The modes with the residues of the single hits, [channels of hits.set], all fitted together at the modes' poles: a
+/// blow in another direction changes the residues. `linear`: from linearised_hit_poles(). Empty if no residue ratios of
+/// `linear` scatter clearly between the hits: each hit then has the residues of the test, which are more accurate.
 std::vector<Mode> modes_with_residues_of_hits(const FrfDataset& set, const HitFrfs& hits,
                                               const std::vector<Mode>& modes, const std::vector<HitPoles>& linear);
 

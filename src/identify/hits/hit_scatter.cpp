@@ -47,7 +47,7 @@ struct ModeScatter {
   ScatterOfHits freq, damping;
   bool freq_differs = false, damping_differs = false;
   double freq_p = 1, damping_p = 1;                 // p-values of the differences
-  double damping_shift = 0, damping_shift_std = 0;  // of the mode, by take_mean()
+  double damping_shift = 0, damping_shift_std = 0;  // by which take_mean() changed the mode
   bool significant() const { return freq_differs || damping_differs; }
   HitSeries series(std::size_t mode, bool is_freq) const {
     return {.mode = mode,
@@ -58,9 +58,9 @@ struct ModeScatter {
   }
 };
 
-// Whether hits of one point differ: χ² of the orthogonal contrasts of each point's hits. Nothing where no two points
-// have several hits. Values of different points may differ although no pole changes: what the modes leave of an FRF
-// moves its poles, by another amount at each point.
+// Whether hits of one point differ: χ² of the orthogonal contrasts of each point's hits, each hit against the mean of
+// the hits before it. Nothing unless two points have several hits. Values of different points may differ although no
+// pole changes, because the residual moves the poles of the hits by a different amount at each point.
 std::optional<bool> hits_of_a_point_differ(const HitSeries& series, const std::vector<std::size_t>& points) {
   struct Mean {
     double value = 0, variance = 0;
@@ -81,7 +81,7 @@ std::optional<bool> hits_of_a_point_differ(const HitSeries& series, const std::v
     mean.variance = (mean.variance * n * n + variance) / ((n + 1) * (n + 1));
     ++mean.hits;
   }
-  if (means.size() < 2 || repeated.size() < 2) return std::nullopt;
+  if (repeated.size() < 2) return std::nullopt;
   return chi2_deviate(chi2, degrees) > kOnceIn1000;
 }
 
@@ -105,11 +105,11 @@ ModeScatter scatter_of_mode(const HitPoles& poles, const std::vector<double>& pe
   return scatter;
 }
 
-// The mean change from the poles of the averages to those of their hits. Both come from the same window, whose misfit
-// cancels in their difference.
+// The mean difference of the poles of the hits from the poles of their averages. Both come from the same window, so
+// that its misfit cancels.
 struct MeanChange {
   double freq_Hz = 0, damping = 0;
-  double damping_std = 0;  // of the noise
+  double damping_std = 0;  // from the noise
 };
 
 std::optional<MeanChange> mean_change(const Known& known, const HitPoles& poles,
@@ -129,7 +129,7 @@ std::optional<MeanChange> mean_change(const Known& known, const HitPoles& poles,
       .freq_Hz = scatter_of_hits(freq_Hz, freq_std_Hz).mean, .damping = of_damping.mean, .damping_std = of_damping.std};
 }
 
-// The mean of the hits' poles in place of the pole of their average. Frequencies that differ raise the damping of the
+// Replaces the pole of the average by the mean of the hits' poles. Frequencies that differ raise the damping of the
 // average. Damping ratios that differ leave its frequency unchanged.
 void take_mean(Mode& mode, ModeScatter& scatter, const MeanChange& change) {
   if (std::abs(change.freq_Hz) > mode.pole.half_power_Hz() || -change.damping > 0.5 * mode.pole.damping_ratio) return;
@@ -155,7 +155,7 @@ void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window
     if (!scatter[m].significant() || again.known.hits.size() < scatter[m].known.hits.size()) continue;
     scatter[m] = again;
     if (!again.significant()) continue;
-    // Poles of different points differ by the misfit as well. Without repeated hits, only a law tells them apart.
+    // The misfit also makes the poles of points differ. Without repeated hits, only a law shows that the hits differ.
     const bool law = follows_a_law(again.series(m, true), peak_N) || follows_a_law(again.series(m, false), peak_N);
     if (!has_repeated_points(hits.points) && !law) continue;
     if (const auto change = mean_change(again.known, fitted[i], hits.points)) take_mean(modes[m], scatter[m], *change);
@@ -223,7 +223,8 @@ void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const WindowedH
       mode.hit_scatter_damping_p = scatter[m].damping_p;
       series.push_back(scatter[m].series(m, false));
     } else if (scatter[m].damping_shift != 0) {
-      // The shift is as uncertain as the hits' poles, which are less certain than the mode where it is one of a pair.
+      // The mean of the hits' poles may be far less certain than the mode, as in a close pair. The shift itself then
+      // limits what it adds.
       mode.damping_std_parts.hits = std::min(std::abs(scatter[m].damping_shift), scatter[m].damping_shift_std);
       mode.damping_std = mode.damping_std_parts.total();
     }

@@ -21,7 +21,7 @@ ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vecto
 struct WindowedHitPoles {
   std::vector<ModeWindow> windows;
   std::vector<HitPoles> poles;  // [modes]
-  std::vector<Mode> of_hits{};  // modes_with_residues_of_hits()
+  std::vector<Mode> of_hits{};  // [modes] from modes_with_residues_of_hits(); may be empty
 };
 WindowedHitPoles windowed_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes);
 

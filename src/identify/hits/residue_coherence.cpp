@@ -45,7 +45,7 @@ std::vector<ResidueSums> residue_sums(const FrfDataset& set, const HitFrfs& hits
   return sums;
 }
 
-// Whether the coherence is too high for the independent residues of this number of hits. The coherence of n independent
+// Whether the coherence is too high for independent residues of this number of hits. The coherence of n independent
 // circular normal residues exceeds c with the probability (1 − c)^(n − 1). Residues of equal size and independent
 // phases exceed this limit more often: with three hits once in 80 times.
 std::optional<bool> agree(const ResidueCoherence& point, double hits) {
@@ -61,7 +61,7 @@ std::optional<bool> residues_agree(const ResidueCoherence& point) {
   return agree(point, static_cast<double>(point.hits));
 }
 
-std::optional<bool> equal_residues_agree(const ResidueCoherence& point) { return agree(point, point.counted_hits); }
+std::optional<bool> equal_residues_agree(const ResidueCoherence& point) { return agree(point, point.effective_hits); }
 
 std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const HitFrfs& hits,
                                                 const std::vector<Mode>& modes, const ModeWindow& window,
@@ -74,8 +74,8 @@ std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const Hit
     if (!(sums[o].weight > 0)) continue;
     common[set.channels[o].point] += std::norm(sums[o].sum) / sums[o].weight;
     power[set.channels[o].point] += sums[o].power;
-    double& counted = out[set.channels[o].point].counted_hits;
-    counted = std::max(counted, sums[o].weight * sums[o].weight / sums[o].square);
+    double& effective = out[set.channels[o].point].effective_hits;
+    effective = std::max(effective, sums[o].weight * sums[o].weight / sums[o].square);
   }
   for (std::size_t p = 0; p < out.size(); ++p) out[p].coherence = power[p] > 0 ? common[p] / power[p] : 0;
   return out;

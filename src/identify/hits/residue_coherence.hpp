@@ -11,15 +11,15 @@ namespace percuss::identify {
 struct ResidueCoherence {
   double coherence = 0;  // Σ |Σ w r|² / Σ w over Σ Σ w |r|², outer sums over the channels; 1 where all hits agree
   std::size_t hits = 0;
-  double counted_hits = 0;  // (Σ w)²/Σ w², the largest over the channels: fewer where few hits have most of the weight
+  double effective_hits = 0;  // (Σ w)²/Σ w², largest over the channels: less than `hits` if few have most of the weight
 };
 
 /// True where the residues of the hits agree: independent circular normal residues reach their coherence at most once
 /// in a thousand times. Nothing with fewer than three hits, which do not show whether the phases are independent.
 std::optional<bool> residues_agree(const ResidueCoherence& point);
 
-/// As residues_agree(), for residues of about equal size whose variances differ, as a tone leaves them: the coherence
-/// of such residues is high by chance where few hits have most of the weight.
+/// As residues_agree(), but with effective_hits. For residues of about equal size with unequal variances, as the
+/// remainder of a tone has: their coherence is high by chance if few hits have most of the weight.
 std::optional<bool> equal_residues_agree(const ResidueCoherence& point);
 
 /// [points of set] for the mode window.modes[mode]. Each hit is fitted over the window at the modes' poles, which gives

@@ -17,7 +17,7 @@ namespace percuss::identify {
 /// theory (4.20)
 void add_misfit(const FrfDataset& set, std::vector<Mode>& modes);
 
-/// Modes whose standard deviations are the noise's part, with the misfit added to them.
+/// Takes the standard deviations of the modes as the part of the noise, and adds the part of the misfit (add_misfit).
 std::vector<Mode> with_misfit(const FrfDataset& set, std::vector<Mode> modes);
 
 }  // namespace percuss::identify

@@ -13,15 +13,15 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kRoughness = 1.5;  // variance of the second difference over 2 of white noise, over the noise's
+constexpr double kRoughness = 1.5;  // variance of half the second difference of white noise, over the noise's own
 constexpr std::size_t kMinLines = 100;
 constexpr Index kBlocks = 24;     // of the lines
 constexpr double kMinEnergy = 4;  // of a residual over its noise: twice the amplitude
 // The energy at the end over the energy anywhere else. Where a smooth residual has another cause, it rises by less.
 constexpr double kMinEnergyRatio = 1.5;
 
-// [blocks] energy of the residual over its energy if it were the noise that its roughness shows, the mean over the
-// FRFs.
+// [blocks] energy of the residual over the energy of its noise, mean over the FRFs. The second difference from line to
+// line shows the noise.
 VectorXd block_energies(const std::vector<VectorXcd>& residual) {
   VectorXd energies = VectorXd::Zero(kBlocks);
   for (const VectorXcd& of_frf : residual) {

@@ -8,7 +8,7 @@
 namespace percuss::identify {
 
 /// The modes with the noise of the force in their standard deviations. Where the modes' residues do not add up to the
-/// FRFs, fits them all together.
+/// FRFs, fits all residues together (fit_common_residues).
 std::vector<Mode> finished_modes(const FrfDataset& set, std::vector<FittedMode> found);
 
 }  // namespace percuss::identify

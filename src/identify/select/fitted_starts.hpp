@@ -33,19 +33,19 @@ struct FittedStarts {
 /// The other modes are then fitted without it.
 FittedStarts fit_starts(const FrfDataset& set, std::vector<double> start_Hz, Effort effort);
 
-/// How far a pole is from a stated frequency, beyond the range that the frequency stands for, in bandwidths.
+/// The distance of a pole from a stated frequency, beyond the range that the frequency stands for, in bandwidths.
 double bandwidths_from_start(const acquire::LineRange& lines, double asked_Hz, const Pole& pole);
 
-/// The greatest such distance of a start's mode, and a distance beyond every other.
+/// The largest distance at which a start names a pole, and a limit that excludes no pole.
 inline constexpr double kMaxBandwidthsFromStart = 1, kAnyDistance = 1e9;
 
-/// The pole of each start, by one assignment of least total distance; each pole belongs to one start at most. Nothing
-/// for a start with no free pole within `max_bandwidths`.
+/// [start_Hz] the index of each start's pole, by one assignment of least total distance; each pole belongs to one start
+/// at most. Nothing for a start without a free pole within `max_bandwidths`.
 std::vector<std::optional<std::size_t>> poles_of_starts(const acquire::LineRange& lines,
                                                         const std::vector<double>& start_Hz,
                                                         const std::vector<Pole>& poles, double max_bandwidths);
 
-/// Why the mode fitted from a stated frequency is none; nothing for a mode.
+/// The reason to refuse the mode that was fitted from a stated frequency; nothing if it is accepted.
 std::optional<RefusedStart> refusal_of(const acquire::LineRange& lines, double asked_Hz, const FittedMode& found);
 
 }  // namespace percuss::identify

@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 
 constexpr double kScatterReach = 4;  // standard deviations of the scatter: a pair farther apart does not imitate it
-// Largest residues of a partner that follows a drift during the decay, over those of its mode.
+// Largest norm of the residues of a partner that describes a drift during the decay, over the norm of its mode's.
 constexpr double kMaxDriftShare = 0.3;
 
 }  // namespace

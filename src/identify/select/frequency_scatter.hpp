@@ -15,19 +15,19 @@ struct WindowData {
   Eigen::VectorXd noise;               // [channels] rms noise per line (WindowedFit::noise)
 };
 
-/// The largest residual energy of separate poles at each point where a frequency scatters, given the energy that a
-/// further common mode leaves and the energy of the noise, all in one unit. Above the noise, it is 15 times that of the
-/// further mode: such a frequency also drifts during the decay, and a further common mode follows this drift better
-/// than separate poles do. For a true pair the ratio is tens to thousands.
+/// The largest residual energy that separate poles at each point may leave if a frequency scatters. `further_mode` is
+/// the residual energy with a further common mode, `noise` the energy of the noise, all in one unit. Above the noise,
+/// the limit is 15 times `further_mode`: such a frequency also drifts during the decay, and a further common mode
+/// follows this drift better than separate poles do. For a true pair the ratio is tens to thousands.
 /// theory (4.31)
 double max_scatter_energy(double further_mode, double noise);
 
 /// Compares two fits of one window by modes common to all points: `one`, and `more`, which has additional modes and was
 /// fitted to this window. True where the additional modes only describe the frequency scatter of the modes of `one`. To
 /// first order, additional modes describe such scatter exactly. The test: separate poles of `one` at each point leave
-/// at most max_scatter_energy() of `more`. If `one` has a single mode, its frequency must also scatter
-/// as widely as the poles of `more` lie apart. Always false for fewer than three points, because two orthogonal modes
-/// look the same there.
+/// at most max_scatter_energy() of `more`. If `one` has a single mode, its frequency must also scatter as widely as the
+/// poles of `more` lie apart. Always false for fewer than three points, because two orthogonal modes look the same
+/// there.
 bool explained_by_freq_scatter(const FrfDataset& set, const WindowData& window, const FitGroup& one,
                                const FitGroup& more);
 

@@ -95,7 +95,7 @@ std::optional<JointFit> without_scatter_partners(const FrfDataset& set, const st
   if (partners.empty()) return fit;
   if (fit.poles.size() - partners.size() <= known.size()) return std::nullopt;
   const auto is_partner = [&](std::size_t m) { return std::binary_search(partners.begin(), partners.end(), m); };
-  // What the partners described becomes misfit. Other modes would leave their places to describe it.
+  // The motion that the partners described becomes misfit. Distant modes would leave their places to describe it.
   const auto is_near = [&](const Pole& pole) {
     return std::any_of(partners.begin(), partners.end(), [&](std::size_t m) {
       return std::abs(pole.freq_Hz - fit.poles[m].freq_Hz) <=
@@ -114,8 +114,8 @@ std::optional<JointFit> without_scatter_partners(const FrfDataset& set, const st
   return with_tested_residues(set, *fewer, held);
 }
 
-// The fit without modes that the halves of the points do not repeat. Poles whose fit does not settle are divided again:
-// without further modes it may settle.
+// The fit without modes that the halves of the points do not repeat. If the fit of the remaining poles does not settle,
+// they are tested again: with still fewer modes it may settle.
 JointFit with_repeated_modes(const FrfDataset& set, JointFit fit) {
   JointFitBudget budget(set);
   std::vector<Pole> poles = fit.poles;

@@ -69,10 +69,10 @@ struct KnownModes {
   const std::vector<Eigen::VectorXcd>& residual;
 };
 
-/// The clear modes of a fit beside the known ones: they are twice as significant as necessary, lie a bandwidth from
-/// every other mode, stand 20 dB above the residual, and raise the likelihood of the lines around them; if they raise it
-/// much, 14 dB suffice. They need a rule of their own: beside the misfit of strong modes, a clear mode gains little in
-/// the likelihood ratio of the whole band.
+/// The clear modes of a fit beside the known ones. A clear mode is twice as significant as necessary, lies a bandwidth
+/// from every other mode, stands 20 dB above the residual, and raises the likelihood of the lines around it. If it
+/// raises the likelihood much, 14 dB suffice. Clear modes need a rule of their own: beside the misfit of strong modes,
+/// they gain little in the likelihood ratio of the whole band.
 std::vector<Pole> clear_modes(const FrfDataset& set, const KnownModes& known, const JointFit& fit);
 
 /// As min_gain() for `unknowns` additional unknowns, without the unknowns of `clear` clear modes.

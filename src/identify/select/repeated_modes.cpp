@@ -12,25 +12,25 @@ namespace {
 using Eigen::Index;
 
 constexpr std::size_t kHalves = 2;
-constexpr std::size_t kDivisions = 64;  // tried
-constexpr double kFairShare = 0.2;      // of a mode's residues, in squares: a half with less hardly shows the mode
-constexpr std::size_t kUnusedBits = 1 << 16;  // the lower bits of the generator repeat soon
-constexpr double kSamePlace = 0.3;            // half-power bandwidths
-constexpr double kSameDamping = 0.3;          // of the damping ratio
+constexpr std::size_t kDivisions = 64;     // tried
+constexpr double kFairShare = 0.2;         // of a mode's Σ|r|²: a half with less hardly shows the mode
+constexpr std::size_t kLowBits = 1 << 16;  // divisor: an upper bit of the random number decides
+constexpr double kSamePlace = 0.3;         // half-power bandwidths
+constexpr double kSameDamping = 0.3;       // of the damping ratio
 // A coarse fit serves: places are compared by fractions of a bandwidth.
 constexpr int kHalfFitSteps = 40;
 constexpr double kHalfFitStep = 1e-3, kHalfFitCost = 1e-4;  // tolerances of the poles, and of the squares
 
-// [points] the half of each point. The first division takes every second point, the others follow a sequence of
-// pseudo-random numbers: on a grid, every second point may be a node line.
+// [points] the half of each point. The first division takes every second point; the others follow a fixed sequence of
+// pseudo-random numbers, because on a grid every second point may lie on a node line.
 std::vector<std::size_t> division(std::size_t points, std::size_t number) {
   std::vector<std::size_t> half(points);
   std::minstd_rand random(static_cast<std::minstd_rand::result_type>(number + 1));
-  for (std::size_t p = 0; p < points; ++p) half[p] = number == 0 ? p % kHalves : random() / kUnusedBits % kHalves;
+  for (std::size_t p = 0; p < points; ++p) half[p] = number == 0 ? p % kHalves : random() / kLowBits % kHalves;
   return half;
 }
 
-// The least part of a mode's residues, in squares, that a half holds.
+// The smallest part of a mode's Σ|r|² that a half holds, over both halves and all modes.
 double least_share(const FrfDataset& set, const Eigen::MatrixXcd& residues, const std::vector<std::size_t>& half) {
   Eigen::MatrixXd power = Eigen::MatrixXd::Zero(static_cast<Index>(kHalves), residues.cols());
   for (std::size_t o = 0; o < set.channels.size(); ++o)
@@ -42,12 +42,12 @@ double least_share(const FrfDataset& set, const Eigen::MatrixXcd& residues, cons
 std::vector<std::size_t> fair_division(const FrfDataset& set, const std::vector<Pole>& poles) {
   const Eigen::MatrixXcd residues = residues_at(set, poles);
   std::vector<std::size_t> fairest = division(set.points.size(), 0);
-  double most = least_share(set, residues, fairest);
-  for (std::size_t number = 1; number < kDivisions && most < kFairShare; ++number) {
+  double best = least_share(set, residues, fairest);
+  for (std::size_t number = 1; number < kDivisions && best < kFairShare; ++number) {
     std::vector<std::size_t> half = division(set.points.size(), number);
     const double share = least_share(set, residues, half);
-    if (!(share > most)) continue;
-    most = share;
+    if (!(share > best)) continue;
+    best = share;
     fairest = std::move(half);
   }
   return fairest;

@@ -19,7 +19,7 @@ double largest_amplitude(const ScanShape& shape) {
   return largest;
 }
 
-// Slope at a point, of the parabola through it and its neighbours.
+// Slope of the parabola through a point and its neighbours, at the point.
 double slope_at(const ScanShape& shape, std::size_t point) {
   const std::size_t n = shape.position_m.size();
   if (n < 2) return 0;
@@ -101,16 +101,16 @@ class TwoVariances {
 std::optional<ScanScatter> scatter_along_scan(std::span<const HitsAlongScan> modes) {
   std::vector<PointVariance> all;
   double chi2 = 0, degrees = 0;
-  std::vector<double> degrees_of_points;
+  double most_degrees = 0;  // of one mode
   for (const HitsAlongScan& mode : modes) {
+    double degrees_of_mode = 0;
     for (const PointVariance& one : variances_of(mode)) {
       chi2 += one.degrees * one.variance / one.noise2;
-      degrees += one.degrees;
+      degrees_of_mode += one.degrees;
       all.push_back(one);
     }
-    double of_mode = 0;
-    for (const auto& hits : mode.hits) of_mode += hits.size() > 1 ? static_cast<double>(hits.size() - 1) : 0;
-    degrees_of_points.push_back(of_mode);
+    degrees += degrees_of_mode;
+    most_degrees = std::max(most_degrees, degrees_of_mode);
   }
   if (!(degrees > 0) || !(chi2_deviate(chi2, degrees) > kOnceIn1000)) return std::nullopt;
   Variances found{std::pow(kFirstPosition_m, 2), std::pow(kFirstRelative, 2)};
@@ -124,8 +124,7 @@ std::optional<ScanScatter> scatter_along_scan(std::span<const HitsAlongScan> mod
   }
   return ScanScatter{.position_std_m = std::sqrt(found.position2),
                      .relative_std = std::sqrt(found.relative2),
-                     // The modes share their hits.
-                     .degrees_of_freedom = *std::max_element(degrees_of_points.begin(), degrees_of_points.end())};
+                     .degrees_of_freedom = most_degrees};  // not their sum: the modes share their hits
 }
 
 ScanShape with_scatter(const HitsAlongScan& mode, const ScanScatter& scatter) {

@@ -7,7 +7,7 @@
 
 namespace percuss::identify {
 
-/// A mode's amplitude on the scale of a ScanShape, as one hit gives it.
+/// The amplitude of a mode in one hit, on the scale of a ScanShape.
 struct AmplitudeOfHit {
   double value = 0;
   double std = 0;    // from the noise of the hit
@@ -20,23 +20,23 @@ struct HitsAlongScan {
   std::vector<std::vector<AmplitudeOfHit>> hits;
 };
 
-/// The scatter of the hits of a scan about their places, common to all points and modes.
+/// The scatter of the hits of a scan about their points, common to all points and modes.
 struct ScanScatter {
   double position_std_m = 0;      // of a hit along the scan
-  double relative_std = 0;        // of a hit's amplitude: its direction, the hammer's gain
+  double relative_std = 0;        // of a hit's amplitude, from its direction and the gain of the hammer
   double degrees_of_freedom = 0;  // hits less points
 };
 
 /// The variance of one hit's amplitude about the mean of its point is taken as
 ///   σ² = σ_noise² + (φ′ σ_x)² + (φ σ_g)²                                                                     (1)
-/// with the shape φ and its slope φ′ at the point. σ_x and σ_g fit the variances of all points and modes, by weighted
-/// least squares with weights from (1). The scatter of the few hits of a single point would be known by a factor only.
-/// Nothing where the hits do not scatter significantly beyond their noise, and without two hits at a point.
+/// with the shape φ and its slope φ′ at the point. σ_x and σ_g are fitted to the variances of all points and modes, by
+/// weighted least squares with weights from (1), because the few hits of one point hardly determine their scatter.
+/// Nothing if the hits do not scatter significantly beyond their noise, or if no point has two hits.
 /// theory (5.10)
 std::optional<ScanScatter> scatter_along_scan(std::span<const HitsAlongScan> modes);
 
-/// The shape with standard deviations from (1), of the mean over the hits of each point. A point without hits keeps its
-/// standard deviation.
+/// The shape with the standard deviations of the means over the hits of each point, from (1). A point without hits
+/// keeps its standard deviation.
 ScanShape with_scatter(const HitsAlongScan& mode, const ScanScatter& scatter);
 
 }  // namespace percuss::identify

@@ -66,25 +66,24 @@ VectorXd channel_weights(const ResidueTable& table) {
   return weight;
 }
 
-// The weighted first singular vector, turned to real amplitudes.
+// The projection of the residues on their first right singular vector.
 struct Projection {
-  VectorXd weight;  // of the channels
-  VectorXcd channel_vector;
-  VectorXcd along;  // [points]
-  Complex turn;
-  double back = 1;  // to the scale of the channel with the largest residues
+  VectorXd weight;           // [channels] by which the residues are multiplied first
+  VectorXcd channel_vector;  // [channels] the singular vector
+  VectorXcd projected;       // [points]
+  Complex rotation;          // makes `projected` as real as possible
+  double scale = 1;          // to the channel with the largest residues
 };
 
 Projection projection_of(const ResidueTable& table) {
-  Projection out{.weight = channel_weights(table), .channel_vector = {}, .along = {}, .turn = {}};
+  Projection out{.weight = channel_weights(table), .channel_vector = {}, .projected = {}, .rotation = {}};
   const MatrixXcd scaled = table.value * out.weight.cast<Complex>().asDiagonal();
   out.channel_vector = leading_right_vector(scaled);
-  out.along = scaled * out.channel_vector;
+  out.projected = scaled * out.channel_vector;
   // Σ a² has twice the phase of the best line through the values a.
-  out.turn = std::polar(1.0, -0.5 * std::arg((out.along.array() * out.along.array()).sum()));
-  if ((out.turn * out.along(0)).real() < 0) out.turn = -out.turn;
-  Index channel = 0;
-  out.back = out.channel_vector.cwiseAbs().cwiseQuotient(out.weight).maxCoeff(&channel);
+  out.rotation = std::polar(1.0, -0.5 * std::arg((out.projected.array() * out.projected.array()).sum()));
+  if ((out.rotation * out.projected(0)).real() < 0) out.rotation = -out.rotation;
+  out.scale = out.channel_vector.cwiseAbs().cwiseQuotient(out.weight).maxCoeff();
   return out;
 }
 
@@ -96,13 +95,13 @@ ScanShape shape_along(const Mode& mode, std::span<const int> point, std::span<co
   if (table.value.size() == 0) return {};
   ScanShape shape{.position_m = table.position_m, .amplitude = {}, .std = {}};
   const Projection by = projection_of(table);
-  for (Index p = 0; p < by.along.size(); ++p) {
+  for (Index p = 0; p < by.projected.size(); ++p) {
     const double noise =
         (table.std.row(p).transpose().array() * by.weight.array() * by.channel_vector.cwiseAbs().array())
             .matrix()
             .norm();
-    shape.amplitude.push_back((by.turn * by.along(p)).real() * by.back);
-    shape.std.push_back(std::hypot(noise * by.back, table.relative_std(p) * shape.amplitude.back()));
+    shape.amplitude.push_back((by.rotation * by.projected(p)).real() * by.scale);
+    shape.std.push_back(std::hypot(noise * by.scale, table.relative_std(p) * shape.amplitude.back()));
   }
   return shape;
 }
@@ -113,7 +112,7 @@ std::vector<Complex> channel_factors(const Mode& mode, std::span<const int> poin
   const Projection by = projection_of(table);
   std::vector<Complex> factors;
   for (Index c = 0; c < by.weight.size(); ++c)
-    factors.push_back(by.turn * by.weight(c) * by.channel_vector(c) * by.back);
+    factors.push_back(by.rotation * by.weight(c) * by.channel_vector(c) * by.scale);
   return factors;
 }
 

@@ -18,8 +18,8 @@ struct ScanShape {
 /// position_m[i]. Points without a residue for every channel are omitted, and so are residues of other points.
 ScanShape shape_along(const Mode& mode, std::span<const int> point, std::span<const double> position_m);
 
-/// The factors by which shape_along multiplies the residues of a point's channels: the real part of the sum is the
-/// amplitude. [channels]; empty without a point that has a residue for every channel.
+/// [channels] the factors by which shape_along() multiplies the residues of a point; the real part of the sum is the
+/// amplitude. Empty without a point that has a residue for every channel.
 std::vector<Complex> channel_factors(const Mode& mode, std::span<const int> point, std::span<const double> position_m);
 
 }  // namespace percuss::identify

@@ -134,7 +134,8 @@ std::vector<UnmodelledPeak> clear_of_noise(const FrfDataset& set, std::vector<Un
   for (const Peak& peak : find_peaks(power)) saddle[peak.line] = std::max(power[peak.line] - peak.prominence, 0.0);
   std::erase_if(peaks, [&](const UnmodelledPeak& peak) {
     const std::size_t line = set.lines.nearest(peak.freq_Hz);
-    // The noise of each FRF moves the amplitude in proportion to the FRF: by Σ|H|²σ²/(2 Σ|H|²) at either line.
+    // The variance of √Σ|H|² at a line is Σ|H|²σ²/(2 Σ|H|²), with the noise power σ² of each FRF; for the difference of
+    // two lines it is twice as large.
     double weighted = 0;
     for (std::size_t o = 0; o < set.channels.size(); ++o) {
       const double noise_power = std::max(std::pow(line_noise.at(o, line), 2), local[o][line]);

@@ -17,10 +17,10 @@ struct UnmodelledPeak {
 /// force's bandwidth and within `range_dB` of the largest line. Ascending.
 std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::vector<Mode>& modes, double range_dB);
 
-/// The peaks that stand clearly out of the noise (LineNoise, or LineNoise::local where that is more): √Σ|H|² falls from
-/// the peak to its higher saddle by at least six standard deviations of the difference of two lines. Near the end of
-/// the force's spectrum, noise makes prominent lines on the tails of modes beyond it. The search for modes may start at
-/// those; people should not read of them.
+/// The peaks that stand clearly out of the noise (the larger of LineNoise and LineNoise::local): √Σ|H|² falls from the
+/// peak to its higher saddle by at least six standard deviations of the difference of two lines. Near the end of the
+/// force's spectrum, noise makes prominent lines on the tails of modes beyond it. A search for modes may start from
+/// such lines, but no warning names them.
 std::vector<UnmodelledPeak> clear_of_noise(const FrfDataset& set, std::vector<UnmodelledPeak> peaks);
 
 /// Stable poles (stable_poles) within the force's bandwidth and farther than a half-power bandwidth, and one line, from

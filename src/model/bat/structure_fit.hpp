@@ -41,8 +41,8 @@ struct StructureFit {
 
 /// Fits `parameters` to measured frequencies by least squares (Levenberg–Marquardt) on the logarithms of frequencies
 /// and parameters, as fit_beam does. The values of `structure` are the start. A spring has several starts, up to four
-/// decades softer and stiffer; the best fit is kept. Standard deviations follow from std_Hz where it is known,
-/// times birge_ratio() of chi2; otherwise from the residuals.
+/// decades softer and stiffer; the best fit is kept. Standard deviations follow from std_Hz if it is known, times
+/// birge_ratio() of chi2; otherwise from the residuals.
 /// Preconditions: different parameters; at least as many frequencies as parameters; the values that are fitted are
 /// above zero, the torsion only with a spring, the mass only with an added mass.
 /// errors  InputError where the frequencies do not determine the parameters.

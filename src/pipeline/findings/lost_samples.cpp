@@ -15,7 +15,7 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kAround = 900;  // samples on either side that the prediction is fitted to
-constexpr double kFits = 2.5;         // rms of the scaled errors around the predicted samples, at most
+constexpr double kMaxErrorRms = 2.5;  // of the scaled errors around predicted samples that fit
 
 // Samples of one response that take the place of those of the record.
 struct PredictedSamples {
@@ -26,7 +26,7 @@ struct PredictedSamples {
 // The part of the decay around a gap, and the gap in it.
 struct Surroundings {
   DecayRange range;                   // samples of the row
-  std::size_t middle = 0, reach = 0;  // of the gap, within the range
+  std::size_t middle = 0, reach = 0;  // middle and half-width of the gap, as samples of the range
 };
 
 Surroundings surroundings_of(const GapInDecay& at) {
@@ -53,7 +53,7 @@ std::optional<std::vector<PredictedSamples>> predicted(const acquire::Record& re
     if (!(prediction->forward_std[c] > 0 && prediction->backward_std[c] > 0)) continue;
     const Interpolation found =
         interpolate_samples(*prediction, c, channels[c], at.gap.first - range.first, at.gap.count);
-    if (!(found.square <= kFits * kFits * static_cast<double>(found.freedom))) return std::nullopt;
+    if (!(found.square <= kMaxErrorRms * kMaxErrorRms * static_cast<double>(found.freedom))) return std::nullopt;
     out.push_back({.row = at.gap.row,
                    .channel = c,
                    .first = at.gap.first,

@@ -16,7 +16,7 @@ struct GapInDecay {
   DecayRange decay;  // samples of the row: the free decay around the gap
 };
 
-/// Whether the samples of a gap can be predicted: at most kMaxFault of them, with enough samples of the decay around.
+/// Whether the samples of a gap can be predicted: at most kMaxFault, with enough samples of the decay around them.
 bool can_predict(const GapInDecay& at);
 
 /// The record with the responses of these gaps replaced by predictions from the decay on both sides. A gap whose

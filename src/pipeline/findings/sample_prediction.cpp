@@ -124,7 +124,7 @@ Interpolation interpolate_samples(const SamplePrediction& prediction, std::size_
   std::vector<double> known(x.begin(), x.end());
   std::fill_n(known.begin() + static_cast<std::ptrdiff_t>(before), count, 0.0);
   const std::size_t from = before, to = before + count;
-  // The errors that depend on an unknown sample: x has all samples of their predictions.
+  // The errors that depend on an unknown sample, as far as x holds all samples of their predictions.
   const std::size_t forward_first = std::max(from, kPredictionOrder);
   const std::size_t forward_end = std::max(forward_first, std::min(to + kPredictionOrder, x.size()));
   const std::size_t backward_first = from - std::min(from, kPredictionOrder);

@@ -21,7 +21,7 @@ inline constexpr std::size_t kDiagnosisRoom = 84 + 2 * kPredictionOrder;
 double forward_error(const SamplePrediction& prediction, std::span<const double> x, std::size_t n);
 double backward_error(const SamplePrediction& prediction, std::span<const double> x, std::size_t n);
 
-/// Whether fit_prediction() has enough samples.
+/// Whether fit_prediction() with these arguments has enough samples.
 bool can_fit_prediction(std::size_t first, std::size_t end, std::size_t at, std::size_t gap);
 
 /// Fits the predictions to the samples [first, end) of all channels, without samples nearer to `at` than `gap`. Nothing
@@ -37,7 +37,7 @@ struct Interpolation {
 };
 /// Values for `count` samples of x from sample `before` on, which make the errors of the prediction around them least.
 /// The recorded values of these samples have no effect. Near an end of x, fewer errors determine them: at the first
-/// sample those of the backward prediction alone. x must hold kPredictionOrder samples before or after them.
+/// sample only the errors of the backward prediction. x must hold kPredictionOrder samples before or after them.
 Interpolation interpolate_samples(const SamplePrediction& prediction, std::size_t channel, std::span<const double> x,
                                   std::size_t before, std::size_t count);
 

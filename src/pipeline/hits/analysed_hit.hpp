@@ -20,11 +20,11 @@ struct AnalysedHit {
 std::vector<std::size_t> accepted_hits(const std::vector<AnalysedHit>& hits);
 bool any_accepted(const std::vector<AnalysedHit>& hits);
 
-/// Whether the user may accept a hit despite its findings: an FRF needs a pulse of the force.
+/// Whether the user may accept a hit despite its findings: it has a pulse of the force, which an FRF needs.
 inline bool can_be_accepted(const AnalysedHit& hit) { return !hit.hit.gated_N.empty(); }
 /// Whether samples of a hit's pulse, or just beside it, are missing.
 bool lacks_samples_of_pulse(const AnalysedHit& hit);
-/// Whether one of the rejected hits can be accepted despite its findings with results that hold: its pulse is whole.
+/// Whether a rejected hit can be accepted despite its findings, and its pulse is whole, so that the results hold.
 bool can_accept_more(const std::vector<AnalysedHit>& hits);
 
 }  // namespace percuss::pipeline

@@ -23,7 +23,7 @@ std::vector<HitSpectra> spectra_of_hits(const std::vector<AnalysedHit>& hits, co
                                         const HitResponses& responses, std::size_t lines);
 
 /// Whether the hits of one point come from several files that may be tests of their own. In a survey, files that hold
-/// this point alone are parts of one test.
+/// only this point are parts of one test. of_point: indices of the point's hits
 bool may_be_several_tests(const std::vector<acquire::RowInfo>& rows, const std::vector<AnalysedHit>& hits,
                           const std::vector<std::size_t>& of_point);
 

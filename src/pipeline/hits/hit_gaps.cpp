@@ -11,7 +11,8 @@ namespace {
 constexpr std::size_t kBesidePulse = 16;  // samples on either side of the pulse: the recorder's filter rings there
 constexpr double kMinKept = 0.8;          // of the samples: a shorter hit would shorten the FRFs of all hits
 
-std::size_t end_of_row_pulse(const acquire::Hit& hit) { return hit.gate_first + hit.gated_N.size() + kBesidePulse; }
+// The sample of the row after the pulse and the ringing beside it.
+std::size_t end_of_ringing(const acquire::Hit& hit) { return hit.gate_first + hit.gated_N.size() + kBesidePulse; }
 
 std::size_t end_of_gap(const acquire::SampleGap& gap) { return gap.first + gap.count; }
 
@@ -24,12 +25,12 @@ std::vector<GapInDecay> gaps_from_pulse_on(const acquire::Hit& hit, const std::v
     if (gap.row != hit.row || gap.first >= end || end_of_gap(gap) + kBesidePulse <= hit.gate_first) continue;
     const std::size_t after = out.empty() ? 0 : end_of_gap(out.back().gap);
     if (!out.empty()) out.back().decay.end = gap.first;
-    out.push_back({.gap = gap, .decay = {.first = std::max(end_of_row_pulse(hit), after), .end = end}});
+    out.push_back({.gap = gap, .decay = {.first = std::max(end_of_ringing(hit), after), .end = end}});
   }
   return out;
 }
 
-bool touches_pulse(const GapInDecay& at, const acquire::Hit& hit) { return at.gap.first < end_of_row_pulse(hit); }
+bool touches_pulse(const GapInDecay& at, const acquire::Hit& hit) { return at.gap.first < end_of_ringing(hit); }
 
 acquire::Finding finding_of(const GapInDecay& at, acquire::Severity severity, std::string message) {
   return {.code = acquire::FindingCode::lost_samples,

@@ -15,19 +15,19 @@ struct HitGap {
   GapInDecay at;
 };
 
-/// Adds lost_samples to hits whose pulse has a gap, and to hits whose decay has a gap that can_predict() refuses. The
-/// samples of such a decay end before the gap. The finding rejects the hit unless 80 % of its samples remain. Gaps
-/// before a pulse do no harm.
+/// Adds lost_samples to hits whose pulse has a gap, and to hits whose decay has a gap that cannot be predicted
+/// (can_predict()). A gap in the pulse rejects the hit. A gap in the decay ends the hit before it, and rejects the hit
+/// unless 80 % of its samples remain. Gaps before the pulse have no effect.
 void grade_gaps(std::vector<acquire::Hit>& hits, const acquire::Record& record);
 
 /// The gaps that can be predicted, of accepted hits in their order.
 std::vector<HitGap> predictable_gaps(const std::vector<AnalysedHit>& hits, const acquire::Record& record);
 
-/// The record with these gaps closed, as far as the predictions fit.
+/// The record with its predictable_gaps() closed.
 struct ClosedGaps {
   acquire::Record record;
-  std::vector<HitGap> gaps;         // all of them
-  std::vector<std::size_t> failed;  // indices into `gaps`: straight lines take the place of their samples
+  std::vector<HitGap> gaps;         // predictable_gaps()
+  std::vector<std::size_t> failed;  // indices into `gaps`: the prediction does not fit, and a straight line stays
 };
 ClosedGaps close_gaps(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
 

@@ -10,8 +10,8 @@
 namespace percuss::pipeline {
 namespace {
 
-// Of the unexplained energy over the noise's. The noise of the other hits adds up to one part to this hit's own, and
-// sixteen samples before a hit determine the energy of the noise to a third.
+// Limit of the unexplained energy over the energy of the hit's own noise. The noise of the other hits may double the
+// unexplained energy, and sixteen samples before a hit determine the energy of the noise only to a third.
 constexpr double kClearOfNoise = 4;
 
 // Σ w² of the exponential window over the samples: the energy of white noise of variance 1 on a spectral line.

@@ -8,10 +8,10 @@
 
 namespace percuss::pipeline {
 
-/// The accepted hits with the finding `low_coherence` that disagree with the other hits of their point by noise alone.
-/// The part of their responses that the other hits do not explain has at most four times the energy that the noise
-/// before the hit has on the same spectral lines, all channels together. Hits whose noise is not known (fewer than 16
-/// samples before the hit, or motion there) are not among them.
+/// [indices of hits] the accepted hits with the finding `low_coherence` that disagree with the other hits of their
+/// point only by noise. The part of their responses that the other hits do not explain has at most four times the
+/// energy of the noise before the hit on the same spectral lines, all channels together. Hits whose noise is not known
+/// (fewer than 16 samples before the hit, or motion there) are not among them.
 std::set<std::size_t> hits_that_differ_by_noise(const std::vector<AnalysedHit>& hits, const HitResponses& responses,
                                                 const TransformOptions& options);
 

@@ -12,7 +12,7 @@ namespace percuss::pipeline {
 ///   no_free_decay  no impact can be used
 std::vector<Warning> missing_result_warnings(const ResponseTest& test);
 
-/// Why the test is not possible(): the message of one of its warnings.
+/// The reason why the test is not possible(): the message of one of its warnings, empty without one.
 Message why_impossible(const ResponseTest& test);
 
 }  // namespace percuss::pipeline

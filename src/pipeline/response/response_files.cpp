@@ -17,10 +17,10 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kMinShared = 0.5;
-// In half-power bandwidths. Farther apart than the first, one fit of all files begins to take a mode for several;
-// nearer than the second, drift of the temperature and unequal hits are likelier than another structure.
+// In half-power bandwidths. From the first distance on, one fit of all files begins to list a mode several times. Below
+// the second, a change of temperature and unequal hits are likelier than another structure.
 constexpr double kSeparate = 0.2, kNoticed = 0.05;
-constexpr double kMinDeviates = 5;       // standard deviations: fewer show no difference
+constexpr double kMinDeviates = 5;       // standard deviations: a smaller difference is not significant
 constexpr std::size_t kMaxCompared = 8;  // modes: the weak ones of a long list may be artefacts
 constexpr std::size_t kPathBytes = 80;   // of a path in a message
 
@@ -36,6 +36,7 @@ bool is_shared(const identify::Mode& mode, const std::vector<identify::DecayMode
   });
 }
 
+// The share of the modes of the test with fewer modes that the other test has.
 double shared_modes(const ResponseTest& a, const ResponseTest& b, double bandwidths) {
   const bool first = a.found.modes.size() <= b.found.modes.size();
   std::vector<const identify::DecayMode*> fewer;
@@ -124,8 +125,8 @@ std::vector<ResponseTest> tests_of_files(const std::vector<acquire::Record>& rec
       throw InputError(disagreement(files, *found), joined.front().source(),
                        "analyse each file alone to choose its hits, or state how the files belong together", {"files"});
     }
-    const Warning said = files_disagree(files, *found);
-    for (ResponseTest& file : files) add_warning(file, said);
+    const Warning warning = files_disagree(files, *found);
+    for (ResponseTest& file : files) add_warning(file, warning);
     return files;
   }
   std::vector<ResponseTest> tests = tests_of_records(joined, options);

@@ -11,13 +11,14 @@ namespace percuss::pipeline {
 
 /// A test that differs from other tests in most of its modes.
 struct DifferingTest {
-  std::size_t test = 0;
-  double shared = 0;  // share of its modes that the other tests have: the median over these
+  std::size_t test = 0;  // index
+  double shared = 0;     // share of its modes that another test has, median over the other tests
 };
 
 /// The test that shares the fewest modes with the others, if it shares less than half; nothing if all agree. Two tests
-/// share a mode if its frequencies differ by at most `bandwidths` half-power bandwidths or five standard deviations. Of
-/// two tests, the one with fewer modes counts, with its eight most energetic ones. Tests without modes are left out.
+/// share a mode if its frequencies differ by at most `bandwidths` half-power bandwidths or five standard deviations.
+/// The share is taken of the test with fewer modes, of its eight most energetic modes. Tests without modes are left
+/// out.
 std::optional<DifferingTest> differing_test(const std::vector<ResponseTest>& tests, double bandwidths);
 
 /// The tests of records without a force, in their order: one per record and run.
@@ -25,10 +26,10 @@ std::optional<DifferingTest> differing_test(const std::vector<ResponseTest>& tes
 std::vector<ResponseTest> tests_of_records(const std::vector<acquire::Record>& records, const AnalysisOptions& options,
                                            ResponseWork work = ResponseWork::modes);
 
-/// The tests of several files of which the user does not say how they belong together: one test of all files, or one
-/// test per file where the files, each analysed alone, differ in most modes by more than a fifth of the bandwidth
-/// (warning files_disagree in each test). Smaller differences, from a twentieth on, only raise the warning hits_differ.
-/// Files that hold several runs are joined without a comparison.
+/// The tests of several files, if the user does not state how the files belong together. Each file is analysed alone
+/// first. If the files differ in most modes by more than a fifth of the bandwidth, each is a test of its own (warning
+/// files_disagree in each test); otherwise all files are one test. Smaller differences, from a twentieth on, raise the
+/// warning hits_differ. Files that hold several runs are joined without a comparison.
 /// errors  InputError: as analyse_responses and acquire::join_records; files that differ where the options name hits,
 /// which are hits of the test of all files
 std::vector<ResponseTest> tests_of_files(const std::vector<acquire::Record>& records, const AnalysisOptions& options);

@@ -116,7 +116,8 @@ Signals clearest_differences(const Signals& x, const Blocks& blocks, double fs_H
   return out;
 }
 
-// Whether no block of the row stands out of the others. A decay that has lost 90 % of its power within the row does.
+// Whether no block of the row stands out of the others. The first blocks of a decay do, if the decay loses 90 % of its
+// power within the row.
 bool is_quiet(const Signals& differences, std::size_t block) {
   const std::vector<double> power = block_power(differences, block);
   return power.size() >= kMinHistoryBlocks && extremes_of(power).high <= kRise * quiet_level(power);

@@ -12,8 +12,8 @@ struct ResponseImpact {
   std::size_t row = 0;
   std::size_t first = 0;    // sample of the row at which the structure begins to move
   std::size_t end = 0;      // one past the last sample: just before the next impact, or the end of the selected time
-  bool whole_pulse = true;  // false: the row begins after the impact, or holds none
-  bool quiet = false;       // without a whole pulse: nothing in the row stands out of the noise
+  bool whole_pulse = true;  // false: the row begins after the impact, or has no impact
+  bool quiet = false;       // only without a whole pulse: nothing in the row stands out of the noise
 };
 
 /// The impacts of a record without a force, row by row. At an impact, the power of the difference between successive

@@ -69,7 +69,7 @@ std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOpt
   return hits;
 }
 
-// The first gap within the decay of a hit; the decay ends before a second one.
+// The first gap within the decay of a hit. Shortens the decay so that it ends before a second gap.
 std::optional<GapInDecay> gap_of(const acquire::Record& record, ResponseHit& hit) {
   const auto blow = static_cast<std::size_t>(kBlow_s * record.fs_Hz);
   std::optional<GapInDecay> found;
@@ -85,7 +85,7 @@ std::optional<GapInDecay> gap_of(const acquire::Record& record, ResponseHit& hit
   return found;
 }
 
-// Predicts the samples that the decays lack. Of a decay whose samples cannot be predicted, the longer part remains.
+// Predicts the missing samples of the decays. If they cannot be predicted, the longer part of the decay remains.
 void close_decay_gaps(ResponseTest& test) {
   std::vector<GapInDecay> gaps;
   std::vector<std::size_t> of_hit;
@@ -189,7 +189,7 @@ std::vector<identify::ModeClassification> classified(const ResponseTest& test) {
   return identify::classify(modes, sensors, overlays_dB, test.options.classes);
 }
 
-// Rejects all hits if the rows show no impact and nothing but noise, and if the fit finds nothing either.
+// Rejects all hits if no row shows an impact or anything above the noise, and the fit finds no mode and no tone.
 void reject_noise(ResponseTest& test) {
   const auto is_noise = [](const ResponseHit& hit) { return !hit.accepted || (hit.impact.quiet && !hit.by_user); };
   if (!test.found.modes.empty() || !test.found.tones.empty()) return;

@@ -22,7 +22,7 @@ struct ResponseHit {
   std::string reason;                 // why it is rejected
   double clipped_s = 0;               // from the onset to the last clipped sample; the decay is fitted after it
   bool gated = false;                 // the recorder cut the decay off
-  std::optional<LostSamples> lost{};  // in its decay; what could not be predicted is not used
+  std::optional<LostSamples> lost{};  // in its decay; if not predicted, only the longer part of the decay is used
   bool shortened = false;             // the decay ends before a disturbance (decay_disturbances())
 };
 
@@ -49,8 +49,8 @@ struct ResponseTest {
   bool possible() const { return samples > 0; }
 };
 
-/// What an analysis computes: the hits, or also the modes. Only a fit of the modes finds hits whose decays are
-/// disturbed, and tells a row that begins within a decay from a row without an impact.
+/// What an analysis computes: only the hits, or also the modes. Only a fit of the modes finds hits whose decays are
+/// disturbed, and distinguishes a row that begins within a decay from a row without an impact.
 enum class ResponseWork { hits, modes };
 
 /// Finds the impacts in the responses and fits the free decays after them, all hits and channels together.
@@ -58,7 +58,7 @@ enum class ResponseWork { hits, modes };
 ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& options,
                                ResponseWork work = ResponseWork::modes);
 
-/// The number of impacts that the test shows: impacts within the rows, and those before a row that is no mere noise.
+/// The number of impacts: those within the rows, and one for each accepted row that begins within a decay.
 std::size_t count_impacts(const ResponseTest& test);
 
 /// The options of an analysis that need a force and are not at their default, in the order of the help.

@@ -30,8 +30,8 @@ Warning no_force() {
       "name the force's channel, if there is one");
 }
 
-// The reader's notes. Where nothing states the unit of a response, the notes ask for units and scales that no result
-// needs: one remark replaces them.
+// The reader's notes. If the unit of a response is not stated, notes ask for units and scales that no result needs: one
+// remark replaces them.
 std::vector<Warning> notes_of(const ResponseTest& test) {
   acquire::Record record;
   record.notes = test.record.notes;
@@ -170,6 +170,7 @@ std::vector<Warning> uneven_decays(const ResponseTest& test) {
       "strike with less and with more force and compare; check for friction and loose parts")};
 }
 
+// accept_refused: the hits that the user accepts, but that cannot be used.
 std::vector<Warning> refused_hits(const ResponseTest& test) {
   std::vector<std::size_t> refused;
   for (std::size_t h = 0; h < test.hits.size(); ++h) {

@@ -14,7 +14,8 @@ namespace percuss::pipeline {
 ///   tone             sinusoids that do not decay
 ///   pair_or_scatter  one mode whose frequency differs between the hits, or two close modes
 ///   and AnalysisOptions::known, the reader's notes (input_warnings), missing_result_warnings, and object_warnings
-/// One remark replaces the notes on units that nothing states: frequencies and damping ratios do not depend on them.
+/// One remark replaces the reader's notes on units that are not stated, because frequencies and damping ratios do not
+/// depend on them.
 std::vector<Warning> response_warnings(const ResponseTest& test);
 
 }  // namespace percuss::pipeline

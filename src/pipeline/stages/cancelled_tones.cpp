@@ -22,8 +22,8 @@ using Eigen::MatrixXcd;
 
 constexpr std::size_t kMinHits = 3;
 constexpr double kReach = 0.1, kMinLines = 40;  // half-width of the fitted lines: of the tone's frequency; at least
-constexpr double kMarginWidths = 5;             // half-power bandwidths from a mode to the end of the fitted lines
-constexpr double kLeastMarginWidths = 1;        // … of a mode whose fitted values count
+constexpr double kMarginWidths = 5;             // half-power bandwidths of the fitted lines on each side of a mode
+constexpr double kMinMarginWidths = 1;          // … on each side of a mode whose fitted values count
 constexpr double kToneOff = 0.01;               // relative error of the frequency of a tone that wanders
 constexpr std::size_t kToneLines = 3;           // on either side of its peak
 constexpr double kDominates = 30;               // power of the tone over all else in these lines
@@ -73,7 +73,8 @@ std::optional<Combinations> combinations_without(const Tone& tone, const identif
   return eigen.eigenvectors().leftCols(rest);
 }
 
-// The lines around a tone, and the modes within them. A mode near their end is fitted with lines on both of its sides.
+// The lines around a tone, and the modes within them. The lines extend beyond a mode near their end, so that it is
+// fitted with lines on both sides.
 identify::ModeWindow window_around(const Tone& tone, const identify::FrfDataset& set,
                                    const std::vector<identify::Mode>& modes) {
   const double least_Hz = std::max(kMinLines * set.lines.df_Hz(), kReach * tone.freq_Hz);
@@ -87,7 +88,7 @@ identify::ModeWindow window_around(const Tone& tone, const identify::FrfDataset&
 }
 
 bool is_well_inside(const identify::Mode& mode, const acquire::LineRange& lines) {
-  const double margin_Hz = kLeastMarginWidths * mode.pole.half_power_Hz();
+  const double margin_Hz = kMinMarginWidths * mode.pole.half_power_Hz();
   return mode.pole.freq_Hz - margin_Hz > lines.freq_Hz(0) &&
          mode.pole.freq_Hz + margin_Hz < lines.freq_Hz(lines.count - 1);
 }

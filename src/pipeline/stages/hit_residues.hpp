@@ -12,8 +12,8 @@ namespace percuss::pipeline {
 struct ModeInHit {
   std::size_t point = 0;                       // index into the points of the data set
   double power = 0;                            // |F|² at the mode's frequency: the weight of the hit in an average
-  double relative_std = 0;                     // over the residues, common to all: the noise of the force
-  std::vector<identify::HitResidue> residues;  // by the index in Mode::residues
+  double relative_std = 0;                     // relative error that all residues share, from the noise of the force
+  std::vector<identify::HitResidue> residues;  // [channels] HitResidue::residue is the index in Mode::residues
 };
 
 /// The modes' residues in each hit, at the poles of the test: [modes][hits]. The residues of `modes` carry indices of

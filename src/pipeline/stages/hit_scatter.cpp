@@ -10,9 +10,10 @@
 namespace percuss::pipeline {
 namespace {
 
-bool are_left(const std::vector<identify::Mode>& modes, const std::vector<double>& left_Hz) {
+// Whether each of these modes has one of the kept frequencies.
+bool all_are_kept(const std::vector<identify::Mode>& modes, const std::vector<double>& kept_Hz) {
   return std::all_of(modes.begin(), modes.end(), [&](const identify::Mode& mode) {
-    return std::find(left_Hz.begin(), left_Hz.end(), mode.pole.freq_Hz) != left_Hz.end();
+    return std::find(kept_Hz.begin(), kept_Hz.end(), mode.pole.freq_Hz) != kept_Hz.end();
   });
 }
 
@@ -30,9 +31,9 @@ void add_scatter_between_hits(const identify::FrfDataset& set, const TestSpectra
   for (const std::size_t h : used) peak_N.push_back(spectra.hits[h].hit.peak_N);
   identify::WindowedHitPoles linear = identify::windowed_hit_poles(set, each, modes);
   if (!options.modes) {
-    const auto left_Hz = identify::without_imitating_modes(set, each, linear, peak_N, modes);
-    if (!left_Hz.empty() && are_left(identify::modes_at_starts(set.lines, modes, options.start_Hz), left_Hz)) {
-      modes = identify::modes_from_frequencies(set, left_Hz, options.effort);
+    const auto kept_Hz = identify::without_imitating_modes(set, each, linear, peak_N, modes);
+    if (!kept_Hz.empty() && all_are_kept(identify::modes_at_starts(set.lines, modes, options.start_Hz), kept_Hz)) {
+      modes = identify::modes_from_frequencies(set, kept_Hz, options.effort);
       search();
       linear = identify::windowed_hit_poles(set, each, modes);
     }

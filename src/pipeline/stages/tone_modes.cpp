@@ -8,9 +8,9 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kMaxLines = 2;       // half-power bandwidth of a remainder, in line spacings: wander broadens it
-constexpr double kMaxOff = 4e-4;      // error of a tone's frequency, as part of it
-constexpr double kWanderReach = 0.1;  // reach of a tone that wanders, as in refit_modes_near_tones()
+constexpr double kMaxLines = 2;       // half-power bandwidth of a remainder, in line spacings: wandering broadens it
+constexpr double kMaxOff = 4e-4;      // error of a tone's frequency, relative
+constexpr double kWanderReach = 0.1;  // of the frequency of a tone that wanders, as in refit_modes_near_tones()
 
 bool is_harmonic_of_mains(double freq_Hz, const Tone& tone, double reach_Hz) {
   const double order = std::round(freq_Hz / tone.freq_Hz);

@@ -25,7 +25,7 @@ constexpr double kMaxSpeed_mps = 50;       // ten times the speed of a hammer sw
 constexpr double kSameMotion = 0.98;       // of ChannelPair::correlation
 constexpr double kSameRatio = 1.1;         // of ChannelPair::spread: sensors at one place; bending and hoop differ more
 constexpr double kOppositeMotion = -0.95;  // of ChannelPair::correlation
-constexpr double kOwnPlace_rad = std::numbers::pi / 6;  // sensors farther apart show different motions
+constexpr double kOwnPlace_rad = std::numbers::pi / 6;  // sensors with a larger angle between them move differently
 
 std::string delay_text(double s, double std_s) {
   const double magnitude = std::abs(s);
@@ -116,10 +116,10 @@ bool is_pair(const ChannelPair& pair, const std::optional<identify::SensorPair>&
 }
 
 std::vector<Warning> units(const acquire::Record& record, const ChannelFindings& findings,
-                           const SensorDirections& directions) {
+                           const SensorDirections& sensors) {
   std::vector<Warning> out;
   for (const ChannelPair& pair : findings.pairs) {
-    if (is_pair(pair, directions.tube)) continue;
+    if (is_pair(pair, sensors.tube)) continue;
     const double factor = std::max(pair.ratio, 1 / pair.ratio);
     if (factor < kUnitFactor / kUnitSpread || factor > kUnitFactor * kUnitSpread) continue;
     const bool second = pair.ratio > 1;
@@ -153,14 +153,14 @@ std::optional<double> angle_between(const acquire::Record& record, const Channel
 }
 
 std::vector<Warning> directions(const acquire::Record& record, const std::vector<ChannelPair>& pairs,
-                                const SensorDirections& directions) {
+                                const SensorDirections& sensors) {
   std::vector<Warning> out;
   for (const ChannelPair& pair : pairs) {
     if (pair.second >= record.accel.size()) continue;
     const auto angle_rad = angle_between(record, pair);
-    // Sensors with an angle between them show different motions, of either sign.
-    const bool one_direction = directions.angles_assumed || angle_rad.value_or(0) < kOwnPlace_rad;
-    if (pair.correlation < kOppositeMotion && one_direction && !is_pair(pair, directions.tube)) {
+    // Opposite motion is no fault of sensors that point in different directions.
+    const bool one_direction = sensors.angles_assumed || angle_rad.value_or(0) < kOwnPlace_rad;
+    if (pair.correlation < kOppositeMotion && one_direction && !is_pair(pair, sensors.tube)) {
       out.push_back(with_remedy(
           {"reversed",
            fmt::format("{} moves against {} in each of {} modes: reversing one of them would make all "

@@ -12,10 +12,10 @@ namespace percuss::pipeline {
 /// mass_loading: frequencies that fall where a mode moves most.
 std::vector<Warning> mass_loading_warnings(const std::vector<identify::Mode>& modes);
 
-/// What the analysis knows of the directions of the accelerometers.
+/// What is known of the directions of the accelerometers.
 struct SensorDirections {
-  bool angles_assumed = false;                 // the angles in the record are not stated
-  std::optional<identify::SensorPair> tube{};  // the sensors of a tube, whose ratios tube_warnings() judges
+  bool angles_assumed = false;                 // the angles in the record are assumed, not stated
+  std::optional<identify::SensorPair> tube{};  // two sensors of a tube, which tube_warnings() judges instead
 };
 
 /// skew, clock_mismatch, units_differ, implausible_motion, reversed, same_motion, dead_channel. `correctable`: the

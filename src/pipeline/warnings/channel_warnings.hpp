@@ -8,14 +8,14 @@
 
 namespace percuss::pipeline {
 
-/// Whether the reader found FRFs that are for exp(−jωt). No mode can be fitted to them.
+/// Whether the reader noted that the FRFs are for exp(−jωt). No mode can be fitted to them.
 bool has_reversed_phase(const acquire::Record& record);
 
-/// input: each note of the reader, as a warning. reversed_phase: the note of has_reversed_phase.
+/// input: each note of the reader, as a warning. reversed_phase: the note of has_reversed_phase().
 std::vector<Warning> input_warnings(const acquire::Record& record);
 
-/// Removes what only says that the modes do not describe FRFs of reversed phase: missing modes, peaks, poles, residuals
-/// and signs.
+/// Removes the warnings that follow from reversed phase, because no mode describes such FRFs: missing modes, peaks,
+/// poles, residuals and signs.
 void remove_consequences_of_reversed_phase(std::vector<Warning>& warnings);
 
 /// dead_channel, coarse_steps, channel by channel.

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxNamedModes = 4;
 constexpr double kMuchScatter = 3;   // hits' part over the noise's part, from which unexplained scatter is reported
-constexpr double kMaxChance = 1e-3;  // of unexplained scatter in a test whose hits are alike
+constexpr double kMaxChance = 1e-3;  // probability of the unexplained scatter if the hits do not differ
 constexpr double kMuchMisfit = 5;    // misfit's part over the noise's
 constexpr double kPpm = 1e6;
 
@@ -87,8 +87,8 @@ double unexplained_rank(const Mode& mode) {
   return freq + (damping ? mode.hit_scatter_damping : 0);
 }
 
-// The probability that noise alone makes the hits of some modes differ as much, without a law that explains it. Each
-// mode has two values: of many, some exceed a limit of their own by chance.
+// The probability that noise alone makes the hits of as many modes differ, for modes without a trend. Each mode has two
+// values, and of many values some exceed the limit of a single value by chance.
 double chance_of_scatter(const std::vector<Mode>& modes) {
   std::vector<double> p_values;
   for (const Mode& mode : modes) {

@@ -14,7 +14,7 @@ namespace percuss::pipeline {
 std::vector<Warning> hit_scatter_warnings(const std::vector<identify::Mode>& modes,
                                           std::optional<double> residual_end_Hz = std::nullopt);
 
-/// Whether model_misfit names a mode: its misfit determines its ±.
+/// Whether model_misfit names the mode: the misfit's part of its ± is more than five times the noise's part.
 bool misfits_much(const identify::Mode& mode);
 
 }  // namespace percuss::pipeline

@@ -42,13 +42,14 @@ HitsWithFinding accepted_hits_with(const std::vector<AnalysedHit>& hits, acquire
   return out;
 }
 
-// The accepted hits of a test, by point.
+// [points] the accepted hits of a test.
 std::map<int, std::vector<std::size_t>> hits_of_points(const std::vector<AnalysedHit>& hits) {
   std::map<int, std::vector<std::size_t>> out;
   for (const std::size_t h : accepted_hits(hits)) out[hits[h].point].push_back(h);
   return out;
 }
 
+// hits_disagree for the hits `poor`.
 Warning disagreement(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                      const std::vector<std::size_t>& poor, const PointNames& names) {
   const auto all = hits_of_points(hits);
@@ -88,7 +89,7 @@ Warning disagreement(const acquire::Record& record, const std::vector<AnalysedHi
 }  // namespace
 
 std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
-                                  const PointNames& names, const std::set<std::size_t>& silent) {
+                                  const PointNames& names, const std::set<std::size_t>& noisy) {
   std::vector<Warning> out;
   const std::size_t rejected = hits.size() - accepted_hits(hits).size();
   if (rejected > 0) {
@@ -96,7 +97,7 @@ std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vect
                    fmt::format("{} of {} hits not used; each hit's verdict gives the reason", rejected, hits.size())});
   }
   auto poor = accepted_hits_with(hits, acquire::FindingCode::low_coherence, kPoorCoherence);
-  std::erase_if(poor.hits, [&](std::size_t h) { return silent.contains(h); });
+  std::erase_if(poor.hits, [&](std::size_t h) { return noisy.contains(h); });
   if (!poor.hits.empty()) out.push_back(disagreement(record, hits, poor.hits, names));
   if (const auto negative = accepted_hits_with(hits, acquire::FindingCode::polarity); !negative.hits.empty()) {
     out.push_back(with_remedy({"polarity",

@@ -11,13 +11,13 @@
 
 namespace percuss::pipeline {
 
-/// rejected_hits, hits_disagree, polarity, implausible_force, low_bandwidth. `silent`: hits whose responses, or
-/// what the other hits leave unexplained of them, are noise alone.
+/// rejected_hits, hits_disagree, polarity, implausible_force, low_bandwidth. `noisy`: hits whose responses, or the
+/// parts of them that the other hits do not explain, are only noise; hits_disagree does not name them.
 std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
-                                  const PointNames& names, const std::set<std::size_t>& silent = {});
+                                  const PointNames& names, const std::set<std::size_t>& noisy = {});
 
-/// accept_refused: hits that the user accepts, by index or kEveryHit, but that have no pulse. `rejects`: the list of
-/// hits that the user rejects.
+/// accept_refused: hits that the user accepts, by index or kEveryHit, but that have no pulse. `rejects`: the hits that
+/// the user rejects.
 std::vector<Warning> refused_hit_warnings(const std::vector<AnalysedHit>& hits, const std::vector<std::size_t>& accepts,
                                           const std::vector<std::size_t>& rejects);
 

@@ -50,7 +50,8 @@ std::vector<Warning> closed_gap_warnings(const ClosedGaps& closed, const std::ve
                     .after_s = static_cast<double>(at.gap.first - hits[h].hit.peak) / closed.record.fs_Hz,
                     .predicted = !failed});
   }
-  for (const std::size_t h : accepted_hits(hits)) {  // the user's own decision
+  // A hit with a gap in its pulse is accepted only if the user accepts it.
+  for (const std::size_t h : accepted_hits(hits)) {
     for (const acquire::Finding& finding : hits[h].hit.findings) {
       if (finding.code == acquire::FindingCode::lost_samples && !finding.delay_s)
         lost.push_back({.hit = h, .count = static_cast<std::size_t>(finding.value)});

@@ -16,11 +16,11 @@ struct LostSamples {
   bool predicted = false;  // samples predicted from both sides take their place
 };
 
-/// lost_samples: the times in the file show that samples are missing. `rest`: what happens where they cannot be
-/// predicted, as the end of a sentence. Nothing for an empty list.
+/// lost_samples: the times in the file show that samples are missing. `rest`: the end of the sentence about samples
+/// that cannot be predicted. Empty for an empty list.
 std::vector<Warning> lost_samples_warning(const std::vector<LostSamples>& lost, const std::string& rest);
 
-/// The same for the gaps of accepted hits of a test with a force.
+/// lost_samples for the accepted hits of a test with a force.
 std::vector<Warning> closed_gap_warnings(const ClosedGaps& closed, const std::vector<AnalysedHit>& hits);
 
 }  // namespace percuss::pipeline

@@ -28,12 +28,13 @@ constexpr std::size_t kMaxListedPoints = 20;
 // A recorder's range or an amplifier's gain that is wrong at some points is wrong by 10. Blows by hand at the points of
 // one structure differ by a factor of 2.2 from their median (decision 172), so that a factor of 5 needs a reason.
 constexpr double kMinRangeFactor = 5;
-constexpr std::size_t kMinReference = 6, kMaxShareOfDoubtful = 3;  // points with the usual force; one of so many
+constexpr std::size_t kMinUsualPoints = 6;     // points with the usual force
+constexpr std::size_t kPointsPerDoubtful = 3;  // at most one point of so many may have another force
 // A soft blow has a longer pulse, and a soft place too. A wrong range leaves the pulse as it is.
 constexpr double kMaxPulseFactor = 1.3;
-// The largest amplitude in a mode at one point, over the largest at all others. Of 4000 simulated beams and plates, the
-// second largest of these ratios over the modes is below 1.5 at every point, and the largest above 0.25 at 99 % of the
-// points that are not beside a clamped end. A force that is wrong by 10 changes both by 10.
+// Limits of a mode's amplitude at one point over its largest amplitude at the other points. In 4000 simulated beams and
+// plates, the second largest of these ratios over the modes is below 1.5 at every point, and the largest is above 0.25
+// at 99 % of the points that are not beside a clamped end. A force that is wrong by 10 changes both by 10.
 constexpr double kLargeMotion = 2.5, kSmallMotion = 0.2;
 constexpr std::size_t kMinModesOfRange = 3;
 constexpr double kClearAmplitude = 10;  // standard deviations
@@ -157,17 +158,17 @@ struct UsualForce {
   std::set<int> points;
 };
 
-// Points whose force is about that of the others, and those whose force differs by kMinRangeFactor or more with the
-// same pulse. Nothing where too few points are of the first kind.
+// Points of the usual force, and points whose force differs from it by kMinRangeFactor or more with the same pulse.
 struct DoubtedForces {
   UsualForce usual;
   std::vector<PointLevel> doubtful;
 };
 
+// Nothing if too few points have the usual force.
 std::optional<DoubtedForces> doubted_forces(const std::vector<PointLevel>& levels) {
   std::vector<double> all;
   for (const PointLevel& level : levels) all.push_back(level.log_force);
-  if (all.size() < kMinReference + 1) return std::nullopt;
+  if (all.size() < kMinUsualPoints + 1) return std::nullopt;
   const double middle = median(std::move(all));
   DoubtedForces out;
   std::vector<double> force, pulse_s;
@@ -178,7 +179,7 @@ std::optional<DoubtedForces> doubted_forces(const std::vector<PointLevel>& level
     pulse_s.push_back(level.pulse_s);
   }
   const std::size_t others = levels.size() - out.usual.points.size();
-  if (out.usual.points.size() < kMinReference || others == 0 || kMaxShareOfDoubtful * others > levels.size())
+  if (out.usual.points.size() < kMinUsualPoints || others == 0 || kPointsPerDoubtful * others > levels.size())
     return std::nullopt;
   out.usual.log_force = median(std::move(force));
   out.usual.pulse_s = median(std::move(pulse_s));
@@ -196,8 +197,8 @@ struct Amplitude {
   double squared = 0, variance = 0;
 };
 
-// For each mode that shows clearly at other points: its amplitude at `point` over its largest amplitude at `usual`
-// points, descending. Nothing for a mode whose amplitude at `point` is noise, if it is not small.
+// For each mode that shows clearly at the `usual` points: its amplitude at `point` over its largest amplitude there,
+// descending. Leaves out a mode whose amplitude at `point` is neither clear nor small.
 std::vector<double> relative_motions(const std::vector<identify::Mode>& modes, int point, const std::set<int>& usual) {
   std::vector<double> out;
   for (const identify::Mode& mode : modes) {
@@ -229,7 +230,7 @@ bool moves_wrongly(const std::vector<double>& descending, bool smaller_force) {
 
 Warning other_range(const acquire::Record& record, const PointNames& names, const std::vector<PointLevel>& levels,
                     double log_force) {
-  constexpr double kUsualFactor = 10;
+  constexpr double kUsualFactor = 10;  // between ranges or gains
   Warning warning{"units_differ",
                   fmt::format("the force of the hits at {} is {} than at the other points, but the responses and the "
                               "pulses are not: was the range or the gain of the hammer's channel another one there (a "

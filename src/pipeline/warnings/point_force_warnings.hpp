@@ -20,9 +20,9 @@ std::vector<Warning> point_force_warnings(const acquire::Record& record, const s
 
 /// units_differ: points whose force was measured with another range or gain. Their median force differs from the
 /// others' by a factor of 5 or more, with pulses of the same length (within 30 %), and the modes contradict a soft or
-/// hard blow. Where the force is smaller, at least two modes move 2.5 times more per newton there than at any other
-/// point; where it is larger, no mode reaches a fifth of its largest amplitude. At least two thirds of the points, and
-/// six, must have about one force, and three modes must show clearly.
+/// hard blow. If the force is smaller, at least two modes move 2.5 times more per newton there than at any other point.
+/// If it is larger, no mode reaches a fifth of its largest amplitude there. At least two thirds of the points, and at
+/// least six, must have about the same force, and three modes must show clearly.
 std::vector<Warning> point_range_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                           const std::vector<identify::Mode>& modes, const PointNames& names);
 

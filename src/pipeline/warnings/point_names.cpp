@@ -27,7 +27,8 @@ std::vector<std::string> parts_of_name(const std::string& name) {
   return parts;
 }
 
-// The points that the order of the files gives. Empty where their number is another one.
+// The points if each file, or each group of files_of_hits(), is one point in order. Empty if this gives another number
+// of points.
 struct PointsOfFiles {
   std::vector<std::string> paths;     // [points]
   std::vector<std::size_t> point_of;  // [files]
@@ -50,6 +51,7 @@ PointsOfFiles points_of_files(const std::vector<std::string>& paths, std::size_t
   return out;
 }
 
+// Whether `numbers` has first, first + 1, … first + count − 1.
 bool holds_from(const std::set<int>& numbers, int first, std::size_t count) {
   for (int i = 0; i < static_cast<int>(count); ++i) {
     if (!numbers.contains(first + i)) return false;
@@ -57,7 +59,7 @@ bool holds_from(const std::set<int>& numbers, int first, std::size_t count) {
   return true;
 }
 
-// Whether the geometry has all points that these files would be.
+// Whether the geometry has all points, if each of these files is one.
 bool knows_points(const std::set<int>& geometry, const std::vector<std::string>& files) {
   std::set<int> points;
   for (std::size_t i = 0; i < files.size(); ++i) points.insert(static_cast<int>(i));
@@ -126,7 +128,7 @@ GeometryNumbers geometry_numbers(const std::set<int>& geometry, const std::set<i
   const std::set<int> named(numbers->begin(), numbers->end());
   const bool other_start = (holds_from(named, 1, files.size()) && holds_from(geometry, 0, files.size())) ||
                            (holds_from(named, 0, files.size()) && holds_from(geometry, 1, files.size()));
-  // The order of the files must be the order of the numbers for this.
+  // The order of the files decides then, so it must be the order of the numbers.
   if (other_start && std::is_sorted(numbers->begin(), numbers->end())) return in_order;
   return known == 0 ? in_order : GeometryNumbers::contradicted;
 }
@@ -144,11 +146,11 @@ NamedFiles judge_named_files(const std::vector<std::string>& paths, const std::v
 
 PointNames::PointNames(const acquire::Record& record, const std::set<int>& points, const std::set<int>& geometry) {
   const std::vector<std::string> files = files_of_points(record, points);
-  // Points in several directions are at the places of others, and a geometry numbers places.
+  // With stated directions, several points share a place, and the geometry numbers places.
   if (!geometry.empty() && record.motions.empty())
     geometry_from_one_ = geometry_numbers(geometry, points, files) == GeometryNumbers::from_one;
   auto numbers = numbers_in_names(files);
-  // Numbers that the geometry does not know at all are no points.
+  // If the geometry has none of the numbers, they are not numbers of points.
   if (numbers && !geometry.empty() &&
       std::none_of(numbers->begin(), numbers->end(), [&](int n) { return geometry.contains(n); }))
     numbers.reset();

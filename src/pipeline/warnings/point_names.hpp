@@ -14,43 +14,43 @@ namespace percuss::pipeline {
 /// The name of a file without its folder, on one line, cut after kMaxNameBytes.
 std::string short_file_name(const std::string& path);
 
-/// The paths of the files where percuss numbered the points: each file is one point, 0, 1, … in the order of the
-/// files. Where the hits of each point are files of their own (acquire::files_of_hits), these are the paths without the
-/// numbers of the hits: "P3" for P3_1.csv and P3_2.csv. Empty for other records, and where files have no names of their
-/// own.
+/// [points] the path of each point's file, if percuss numbered the points by the files: 0, 1, … in their order. If each
+/// hit is a file (acquire::files_of_hits), the path without the number of the hit: "P3" for P3_1.csv and P3_2.csv.
+/// Empty for other records, and if several files have one path.
 std::vector<std::string> files_of_points(const acquire::Record& record, const std::set<int>& points);
 
 /// The numbers in names that differ in one whole number only: 1, 2, 10 for P1.csv, P2.csv, P10.csv. Nothing for other
 /// names, and for numbers of more than nine digits.
 std::optional<std::vector<int>> numbers_in_names(const std::vector<std::string>& names);
 
-/// How the numbers of a stated geometry are those of a test's points.
+/// How the numbers of a stated geometry relate to the points of a test.
 enum class GeometryNumbers {
-  record,       // they are the record's
-  from_one,     // they are above the record's by one
+  record,       // they are the record's numbers
+  from_one,     // they are the record's numbers plus one
   file_names,   // they are the numbers in the names of the points' files
-  contradicted  // the numbers in the names of the files are not all in the geometry
+  contradicted  // the geometry lacks some of the numbers in the names of the files
 };
 
-/// Matches the numbers of a geometry to `measured`, the record's numbers of the points. `files` are files_of_points().
-/// The numbers in the names of the files decide, where they have such numbers. They count as other numbers (of a day's
-/// recordings, or times) where none of them is in the geometry, which has as many points as there are files. The files
-/// and the geometry may also count the same points from 0 and from 1. The order of the files decides in both cases.
+/// Matches the numbers of a geometry to `measured`, the record's numbers of the points. `files`: from
+/// files_of_points(). If the names of the files have numbers, these decide, with two exceptions for as many files as
+/// points, in which the order of the files decides. Either the geometry has none of the numbers: they are something
+/// else, such as times. Or the files count from 1 and the geometry from 0, or the reverse.
 GeometryNumbers geometry_numbers(const std::set<int>& geometry, const std::set<int>& measured,
                                  const std::vector<std::string>& files);
 
-/// What the files of a survey are if their names group them, as acquire::files_of_hits() does.
+/// What the files of a survey are if their names form groups of acquire::files_of_hits(): each file a point, or each
+/// file a hit.
 enum class NamedFiles { points, hits, undecided };
 
-/// `groups` are files_of_hits(paths). The files are the hits of as many points as there are groups if the geometry has
-/// so many points, or if it lacks points that the files would be. Without a geometry (empty), and where it knows both,
-/// the names decide nothing. `geometry`: the numbers in the stated geometry.
+/// `groups`: files_of_hits(paths). `geometry`: the numbers of the stated geometry, empty without one. The files are
+/// hits if the geometry has as many points as there are groups, or if it lacks points that single files would be. They
+/// are points if there are no groups, or if the geometry lacks points that the groups would be but not points that
+/// single files would be. Undecided otherwise.
 NamedFiles judge_named_files(const std::vector<std::string>& paths, const std::vector<acquire::FilesOfHits>& groups,
                              const std::set<int>& geometry);
 
-/// The names of a test's points in texts for people. A point has the number in its file's name. Else it has the number
-/// in the stated geometry, else the one in the record, which documents use. All messages, tables and pages take a
-/// point's name from here.
+/// The names of a test's points in tables, messages and pages. A point has the number in its file's name, else the
+/// number in the stated geometry, else the number in the record. Documents use the record's numbers.
 class PointNames {
  public:
   /// Every point has the record's number.

@@ -28,11 +28,11 @@ constexpr double kPulsesAround = 20;    // lengths of the pulse on either side, 
 constexpr double kRinging_s = 0.025;    // after the pulse: a response still moves
 constexpr double kMinRinging = 10;      // mean square of the force after the pulse over the one before it
 constexpr std::size_t kMinBefore = 16;  // samples before the pulse that show the noise
-constexpr std::size_t kFinalPart = 10;  // the last tenth of a row, at most kMaxFinal samples of it
+constexpr std::size_t kFinalPart = 10;  // the last tenth of a row shows its final level, at most kMaxFinal samples
 constexpr std::size_t kMaxFinal = 4096;
 constexpr std::size_t kBlocks = 64;                      // of a row, whose levels show whether a channel responds
-constexpr std::size_t kMaxRead = std::size_t{1} << 20U;  // samples of a row that are read for it
-constexpr double kMinResponseLevel = 10;  // mean square of the loudest block over that of the quietest, as amplitude
+constexpr std::size_t kMaxRead = std::size_t{1} << 20U;  // samples of a row that are read for these blocks
+constexpr double kMinResponseRatio = 10;                 // rms of the loudest block over the rms of the quietest block
 
 bool lacks_pulse(const AnalysedHit& hit) {
   return !hit.accepted && !hit.by_user && acquire::has_finding(hit.hit.findings, acquire::FindingCode::no_pulse);
@@ -110,11 +110,11 @@ double final_level(const acquire::Record& record, std::size_t row) {
   return x.size() < kMinBefore ? std::numeric_limits<double>::infinity() : deviation * deviation;
 }
 
-// Whether the force moves after the pulse of another signal. It was quieter before, or is quieter at the end of the
-// row: a short pre-trigger holds the ringing of the filter alone.
-bool rings_after(std::span<const double> force, const PulseRange& range, double final) {
+// Whether the force moves after the pulse of another signal: more than before the pulse, or than at the end of the row
+// (`final_square`), since a short pre-trigger holds only the ringing of the filter.
+bool rings_after(std::span<const double> force, const PulseRange& range, double final_square) {
   const auto before = force.first(range.first - range.begin), after = force.subspan(range.end - range.begin);
-  const double quiet = before.size() < kMinBefore ? final : std::min(final, mean_square(before));
+  const double quiet = before.size() < kMinBefore ? final_square : std::min(final_square, mean_square(before));
   return after.size() >= kMinBefore && mean_square(after) > kMinRinging * quiet;
 }
 
@@ -152,7 +152,7 @@ std::optional<std::size_t> responding_channel(const acquire::Record& record, con
       loudest = std::max(loudest, level);
       quietest = std::min(quietest, level);
     }
-    if (loudest > kMinResponseLevel * kMinResponseLevel * quietest) return c;
+    if (loudest > kMinResponseRatio * kMinResponseRatio * quietest) return c;
   }
   return std::nullopt;
 }
@@ -181,9 +181,9 @@ std::vector<Warning> role_warnings(const acquire::Record& record, const std::vec
                                    const acquire::HitOptions& options) {
   const auto lacking = static_cast<std::size_t>(std::count_if(hits.begin(), hits.end(), lacks_pulse));
   if (!record.has_force || 2 * lacking <= hits.size()) return {};
-  constexpr double kMostHits = 0.5;
+  constexpr double kMinHammerShare = 0.5;
   std::optional<std::size_t> hammer;
-  double largest = kMostHits;
+  double largest = kMinHammerShare;
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
     const double share = hammer_share(record, c, options);
     if (share <= largest) continue;
@@ -198,7 +198,7 @@ std::vector<Warning> role_warnings(const acquire::Record& record, const std::vec
         fmt::format("{} looks like the hammer and {} like a response: the channels are swapped", response, force),
         {"force_channel", "accel_channel"}};
     std::string remedy = fmt::format("name {} as the force, and {}", response, accelerations_without(record, *hammer));
-    // The file's units are those of the roles that it states; the reader refuses them for the others.
+    // The units of the file belong to the roles that it states, and the reader refuses them for other roles.
     if (states_unit(record.force, Quantity::force) || states_unit(record.accel[*hammer], Quantity::acceleration)) {
       warning.options.insert(warning.options.end(), {"force_unit", "unit"});
       remedy += "; state the units, too, because those of the file belong to its own roles";

@@ -9,9 +9,9 @@
 namespace percuss::pipeline {
 
 /// swapped_channels: most hits show no hammer pulse, while a response shows one, and the force rings after it.
-/// no_pulse: no hit shows a pulse, and no response shows one either. Not where the user states the trigger level, which
-/// the findings of the hits name.
-/// `options`: those of the search that found `hits`.
+/// no_pulse: neither the force nor a response shows a pulse at any hit. Left out if the user states the trigger level:
+/// the findings of the hits then name this level.
+/// `options`: the options of the search that found `hits`.
 /// errors  InputError: samples that cannot be read.
 std::vector<Warning> role_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                    const acquire::HitOptions& options);

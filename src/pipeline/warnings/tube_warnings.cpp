@@ -28,10 +28,10 @@ constexpr double kOwnMode = 0.04;           // relative distance of modes that a
 constexpr std::size_t kMinTubeModes = 3;    // that make a statement
 constexpr double kSamePlace_m = 0.02;       // sensors farther apart along the tube have other ratios
 constexpr double kDecisive = 6;             // log_fault_evidence: the fault is 400 times as likely
-constexpr double kSameFactor = 0.15;        // of the logarithm of a ratio: gains and angles of sensors
-constexpr double kLikeHoop = 0.25;          // the same, from −1
-constexpr double kOtherRatio = 0.4;         // the same, of modes that are none of those at the factor
-constexpr double kLargeFactor = 100;        // no tube has planes so near to the axis of a sensor that show it twice
+constexpr double kSameFactor = 0.15;        // of the logarithm of a ratio, at a factor: errors of gains and angles
+constexpr double kLikeHoop = 0.25;          // of the logarithm of a ratio, near the −1 of a hoop mode
+constexpr double kOtherRatio = 0.4;         // of the logarithm of a ratio, from a factor: clearly another ratio
+constexpr double kLargeFactor = 100;        // no two bending planes lie by chance so near to the axis of a sensor
 constexpr double kNotRefuted = -1;          // log_fault_evidence of a large factor that two modes show exactly
 constexpr double kContradiction = -4;       // log_tube_evidence of the lowest modes
 constexpr double kFirstBendingRatio = 2.3;  // of the second bending frequency over the first; slender tubes have more
@@ -133,9 +133,9 @@ class FaultEvidence {
   std::vector<identify::TypeEvidence> modes_;
 };
 
-// Hoop modes move sensors at right angles against each other, whatever the direction of the hits; they prove nothing.
-// The sign of a bending mode depends on its plane. Modes that move the sensors alike by the same amount are hoop modes
-// of which one sensor is reversed, or bend halfway between the sensors: the other modes and the pairs tell which.
+// Hoop modes move sensors at right angles against each other for any direction of the hits, so opposite signs prove
+// nothing. The sign of a bending mode depends on its plane. Modes that move both sensors alike by the same amount are
+// hoop modes with a reversed sensor, or bending modes halfway between the sensors: the evidence of all modes decides.
 std::vector<Warning> reversed_sensor(const acquire::Record& record, const std::vector<ClearRatio>& ratios,
                                      const identify::SensorPair& sensors, const FaultEvidence& evidence) {
   constexpr double kReversed = -1;
@@ -178,8 +178,8 @@ std::string ratio_text(double ratio) {
   return ratio < kWhole ? fmt::format("{:.3g}", ratio) : fmt::format("{:.0f}", ratio);
 }
 
-// The modes whose ratio is minus the factor, as hoop modes of such units have it; each as a number above 1.
-std::vector<double> modes_at(double expected, const std::vector<ClearRatio>& ratios) {
+// The ratios that are about −expected, as hoop modes have with such units; each as a number above 1.
+std::vector<double> ratios_at(double expected, const std::vector<ClearRatio>& ratios) {
   std::vector<double> out;
   for (const ClearRatio& one : ratios) {
     if (one.ratio < 0 && std::abs(std::log(-one.ratio / expected)) < kSameFactor)
@@ -188,10 +188,10 @@ std::vector<double> modes_at(double expected, const std::vector<ClearRatio>& rat
   return out;
 }
 
-// Whether two modes or more have the ratio of hoop modes in such units, and all others clearly another one: bending
-// modes in one plane near the axis of a sensor have about one ratio.
+// Whether two modes or more have the ratio −expected of hoop modes with such units, and all other modes clearly another
+// ratio: bending modes in one plane near the axis of a sensor would have similar ratios.
 bool shown_exactly(double expected, const std::vector<ClearRatio>& ratios) {
-  const std::size_t count = modes_at(expected, ratios).size();
+  const std::size_t count = ratios_at(expected, ratios).size();
   const auto beside = [&](const ClearRatio& one) {
     if (!(one.ratio < 0)) return false;
     const double off = std::abs(std::log(-one.ratio / expected));
@@ -200,7 +200,7 @@ bool shown_exactly(double expected, const std::vector<ClearRatio>& ratios) {
   return count >= 2 && count < ratios.size() && std::none_of(ratios.begin(), ratios.end(), beside);
 }
 
-// A constant ratio of bending modes is the tangent of their plane, not a unit. A unit is named where the orientation
+// A constant ratio of bending modes is the tangent of their plane, not a unit. A unit is named only if the orientation
 // of the tube and of the blow cannot explain the ratios.
 std::vector<Warning> mixed_units(const acquire::Record& record, const std::vector<ClearRatio>& ratios,
                                  const identify::SensorPair& sensors, const FaultEvidence& evidence) {
@@ -220,7 +220,7 @@ std::vector<Warning> mixed_units(const acquire::Record& record, const std::vecto
   const bool second_larger = best_factor > 1;
   const std::string larger = one_line(record.accel[second_larger ? sensors.second : sensors.first].name, kMaxNameBytes);
   const std::string other = one_line(record.accel[second_larger ? sensors.first : sensors.second].name, kMaxNameBytes);
-  const std::vector<double> at_factor = modes_at(best_factor, ratios);
+  const std::vector<double> at_factor = ratios_at(best_factor, ratios);
   const std::string finding =
       at_factor.empty()
           ? fmt::format("the ratios of {} and {} in {} modes fit a tube only if {} is about {:.3g} times too large",
@@ -237,7 +237,7 @@ std::vector<Warning> mixed_units(const acquire::Record& record, const std::vecto
                       "state the unit, or the scale and the angle of each channel")};
 }
 
-// Whether both sensors are at one place along the tube, as far as the places are stated.
+// Whether both sensors are at one place along the tube; true if a place is not stated.
 bool at_one_place(const acquire::Record& record, const identify::SensorPair& sensors) {
   const auto &first_m = record.accel[sensors.first].position_m, &second_m = record.accel[sensors.second].position_m;
   return !first_m || !second_m || std::abs(*first_m - *second_m) < kSamePlace_m;

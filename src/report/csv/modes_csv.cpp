@@ -19,7 +19,7 @@ std::string header_of(bool several_tests) {
          (several_tests ? ",file\n" : "\n");
 }
 
-// What the lines of a test begin and end with, separators included; empty for a single test.
+// The first and the last cell of the lines of a test, separators included; empty for a single test.
 struct LineEnds {
   std::string test, file;
 };

@@ -13,7 +13,8 @@ namespace percuss::report {
 /// for further files. A test without usable hits has no lines.
 std::string modes_csv(const std::vector<NumberedAnalysis>& tests);
 
-/// The same of tests without a force, whose residues are ratios to the reference channel's. The tests count from 0.
+/// The same for tests without a force. Their residues are ratios to the reference channel, without a unit. The tests
+/// count from 0.
 std::string modes_csv(const std::vector<pipeline::ResponseTest>& tests);
 
 }  // namespace percuss::report

@@ -84,7 +84,7 @@ Json places_json(const pipeline::Survey& survey, const std::vector<int>& points)
   return out;
 }
 
-// What the page calls the points: their numbers, or their names.
+// [points] the number of each point as a number, or its name as a text if the name says more.
 Json names_json(const pipeline::PointNames& names, const std::vector<int>& points) {
   Json out = Json::array();
   for (const int point : points) {

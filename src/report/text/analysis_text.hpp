@@ -18,7 +18,7 @@ struct TextOptions {
   OptionWriter write_option = nullptr;  // appends the options of warnings; nullptr leaves them out
 };
 
-/// The sentence that stands in place of the FRFs and modes where none of `hits` can be used.
+/// The sentence in place of the FRFs and modes if none of `hits` can be used.
 Message no_usable_hit(const std::vector<pipeline::AnalysedHit>& hits);
 
 /// The analysis as text: one line with the test's conditions, the hits, the modes with ±, then the warnings.

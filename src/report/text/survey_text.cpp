@@ -111,7 +111,7 @@ std::string scale_text(const pipeline::Survey& survey) {
       static_cast<std::size_t>(unit) < shapes.size() ? "; the others are scaled to 1 at their largest component" : "");
 }
 
-// A single hit of each point shows no scatter between hits, which holds the errors of their place and direction.
+// Errors of the place and direction of the hits show in the scatter between hits, which one hit per point cannot show.
 std::string one_hit_text(const pipeline::Analysis& analysis) {
   const auto& frfs = analysis.frfs();
   const bool one_each = std::all_of(frfs.begin(), frfs.end(), [](const auto& one) { return one.frf.averages == 1; });

@@ -5,8 +5,8 @@
 namespace percuss::tools {
 namespace {
 
-// Finds the command and the word before the cursor. bash treats "=" as a word. The first word "help" asks for the help
-// of the command after it.
+// Finds the command and the word before the cursor. bash treats "=" as a word. After the first word "help", only the
+// names of commands follow.
 constexpr const char* kBegin = R"(_percuss() {
   local current=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}
   COMPREPLY=()

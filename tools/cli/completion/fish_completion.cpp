@@ -16,8 +16,9 @@ std::string fish_quoted(std::string_view text) {
   return out + "'";
 }
 
-// One function tests which command the words before the cursor choose, another which command's help they ask for or
-// which command they choose; the third completes list values after a comma.
+// __percuss_words gives the command in a list of words. __percuss_command tests whether the words before the cursor are
+// this command; __percuss_group also accepts them after the word help. __percuss_list completes list values after a
+// comma.
 constexpr const char* kFunctions = R"(function __percuss_words
     set -l command
     for word in $argv

@@ -58,7 +58,7 @@ std::string argument_specs(const DeclaredCommand& command) {
   return out;
 }
 
-// A group passes the remaining words to the function of its command. After the word help, only groups do so.
+// A group passes the remaining words to the function of its command; after the word help, only if this is a group, too.
 std::string group_function(const Declaration& all, const DeclaredCommand& command, const std::string& specs) {
   std::string names, calls;
   for (const DeclaredCommand* one : commands_of(all, command)) {
@@ -66,7 +66,7 @@ std::string group_function(const Declaration& all, const DeclaredCommand& comman
     const char* const unless_help = one->is_group ? "" : "[[ -z ${percuss_help:-} ]] && ";
     calls += fmt::format("\n        {}) {}{} && ret=0 ;;", base_name(*one), unless_help, function_of(all, *one));
   }
-  // The word help takes the place of the program's name.
+  // After the word help, the function of the program completes the commands again.
   if (command.name.empty())
     calls += fmt::format("\n        help) local percuss_help=1; {} && ret=0 ;;", function_of(all, command));
   return fmt::format(R"({}() {{

@@ -42,7 +42,7 @@ int status(const ResultFlags& flags) {
   return kOk;
 }
 
-// The file that holds the rows of records: HDF5 holds FRFs only.
+// The output that holds the rows of records, else the files of the parts: HDF5 holds only FRFs.
 std::string file_of_rows(const ResultFlags& flags) {
   const auto holds_rows = [](const std::string& path) { return path.ends_with(".jsonl") || path.ends_with(".csv"); };
   const auto& paths = flags.output.paths;

@@ -4,10 +4,10 @@
 
 namespace percuss::tools {
 
-/// "results/part-*.jsonl": the files with the rows of a folder of results.
+/// The pattern of the files that hold the rows in a folder of results: "results/part-*.jsonl".
 std::string part_files(const std::string& folder);
 
-/// Where all failed records stand: "all of them, with their reasons, are the rows of FILE whose code is not 0".
+/// The sentence on all failed records: "all of them, with their reasons, are the rows of FILE whose code is not 0".
 std::string place_of_failed(const std::string& file);
 
 /// Names the first records with a problem on standard error, a line each, and counts the others.
@@ -16,7 +16,7 @@ class ProblemList {
   /// `what` happened: failed, is left open.
   explicit ProblemList(const char* what) : what_(what) {}
   void add(const std::string& id, const std::string& reason);
-  /// Says how many of `total` records were not named, and where they stand: `where` ends the line, if there is one.
+  /// Says how many of `total` records were not named. `where`: the end of this line, see place_of_failed().
   void finish(std::size_t total, const std::string& where = "") const;
   std::size_t size() const { return size_; }
 

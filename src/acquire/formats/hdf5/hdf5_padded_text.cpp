@@ -35,7 +35,8 @@ herr_t convert_text(hid_t from, hid_t to, H5T_cdata_t* state, std::size_t count,
   const std::size_t from_step = stride != 0 ? stride : from_bytes, to_step = stride != 0 ? stride : to_bytes;
   auto* const bytes = static_cast<char*>(buffer);
   for (std::size_t n = 0; n < count; ++n) {
-    const std::size_t i = to_step > from_step ? count - 1 - n : n;  // never over a text that is not converted yet
+    // Texts that grow are converted from the last to the first, so that none overwrites an unconverted one.
+    const std::size_t i = to_step > from_step ? count - 1 - n : n;
     const char* const text = bytes + i * from_step;
     const std::size_t kept = std::min(length_without_padding(text, from_bytes, padding), to_bytes);
     char* const out = bytes + i * to_step;

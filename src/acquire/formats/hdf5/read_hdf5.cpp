@@ -76,7 +76,7 @@ bool is_channel_name(std::string name) {
   return std::all_of(name.begin(), name.end(), is_digit);
 }
 
-// Takes the names of data sets out of the options: the rest applies to the signals of these sets.
+// Takes the names of data sets out of the options, which then name only signals of these sets.
 SetNames take_set_names(const InputHdf5& file, ReadOptions& options) {
   SetNames names;
   const std::string force = without_slash(options.force_channel);
@@ -99,7 +99,7 @@ SetNames take_set_names(const InputHdf5& file, ReadOptions& options) {
   return names;
 }
 
-// The rate of the file itself, if it states a usable one.
+// The rate in the file's attribute fs, if it is usable.
 std::optional<double> own_rate_Hz(const InputHdf5& file) {
   try {
     if (const auto own = hdf5::number_attribute(file.id(), "fs", file.path(), 1)) return own->front();
@@ -163,8 +163,8 @@ const ChannelSetup* setup_of(const OpenRecord& open, const NamedSignal& signal, 
   return signal.is_force ? force_setup(options) : accel_setup(options, signal.channel, open.layout.channels);
 }
 
-// The channel of /accel whose place an acceleration has. The place of the signal called force is the one of the channel
-// that is the force in its stead; nothing without such a channel.
+// The channel of /accel whose stated angle and position an acceleration has. If the signal called force is an
+// acceleration, it has those of the channel that is the force; nothing without such a channel.
 std::optional<std::size_t> channel_of_place(const OpenRecord& open, const NamedSignal& signal) {
   if (!signal.is_force) return signal.channel;
   const auto& force = open.roles.force;
@@ -225,7 +225,8 @@ void describe_rows(const OpenRecord& open, Record& record) {
       continuous ? continuous->front() != 0 : !(open.force ? open.layout.force_has_rows : open.layout.accel_has_rows);
 }
 
-// Missing samples keep their numbers, whatever rate the user states.
+// The faults state missing samples by their time at the rate of the file. At another stated rate, their times change so
+// that they remain the same samples.
 void keep_missing_samples(const InputHdf5& file, Record& record) {
   const auto own_Hz = own_rate_Hz(file);
   for (RecordFault& fault : record.faults) {
@@ -234,7 +235,7 @@ void keep_missing_samples(const InputHdf5& file, Record& record) {
 }
 
 void note_unused(const InputHdf5& file, const SetNames& used, bool with_force, Record& record) {
-  // A group counts as used where it holds a set that is.
+  // A group counts as used if it holds a used set.
   const auto holds = [](const std::string& path, const std::string& name) {
     return path == name || path.starts_with(name + "/");
   };

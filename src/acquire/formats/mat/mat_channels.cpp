@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "acquire/formats/mat/mat_description.hpp"
+#include "acquire/formats/mat/mat_rate.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -29,18 +30,14 @@ std::optional<ChannelName> channel_name_in(const std::string& text) {
   return ChannelName{text.substr(0, blank), number};
 }
 
-bool is_vector(const MatVariable& variable) {
-  return std::count_if(variable.shape.begin(), variable.shape.end(), [](std::size_t size) { return size > 1; }) == 1;
-}
-
-// The dimension of the channels.
+// The index of the dimension of the channels; nothing for a variable of one channel.
 std::optional<std::size_t> channel_dimension(const MatFile& file, const MatVariable& variable) {
   const auto& shape = variable.shape;
   if (shape.size() == 3) return 1;
   if (shape.size() != 2) return std::nullopt;
   const std::size_t time = std::max(shape[0], shape[1]);
   const bool over_time = std::any_of(file.variables.begin(), file.variables.end(), [&](const MatVariable& other) {
-    return may_be_signal(other) && is_vector(other) && other.size() == time;
+    return may_be_signal(other) && is_mat_vector(other) && other.size() == time;
   });
   return over_time && shape[0] != shape[1] ? std::optional<std::size_t>(shape[0] < shape[1] ? 0 : 1) : std::nullopt;
 }

@@ -10,16 +10,15 @@ namespace percuss::acquire {
 
 /// A channel that was split off a variable with several channels.
 struct MatChannel {
-  std::string variable;      // that held it
-  std::size_t channel = 0;   // counted from 0 …
-  std::size_t channels = 0;  // … of these
+  std::string variable;      // name of the variable that held it
+  std::size_t channel = 0;   // counted from 0
+  std::size_t channels = 0;  // number of channels of the variable
 };
 
-/// Turns a variable of several channels into one variable per channel, "accel 1", "accel 2", …, where the options or
-/// the set-up give such a channel a role of its own: where they name it as the force, name it in the set-up, or name it
-/// as an acceleration beside a variable. Returns the new variables by their names. Three dimensions are [hits,
-/// channels, samples] or [samples, channels, hits]; two are time and channels where another variable is a vector over
-/// this time.
+/// Turns a variable of several channels into one variable per channel, "accel 1", "accel 2", …, if such a channel has a
+/// role of its own: the options name it as the force, or as an acceleration beside a variable, or the set-up names it.
+/// Returns the new variables by their names. Three dimensions are [hits, channels, samples] or [samples, channels,
+/// hits]; two are time and channels if another variable is a vector over this time.
 std::map<std::string, MatChannel> split_channels(MatFile& file, const ReadOptions& options);
 
 }  // namespace percuss::acquire

@@ -10,18 +10,19 @@
 
 namespace percuss::acquire {
 
-/// The variable `name`; else the field of this name beside the variable `beside` ("test.point" beside "test.force");
-/// else the only field of this name. nullptr if there is none, or if several other structures have one.
+/// The variable `name`; else the field of this name in the structure of the variable `beside` ("test.point" for
+/// "test.force"); else the only field of this name. nullptr if there is none, or if several other structures have one.
 const MatVariable* description_variable(const MatFile& file, std::string_view name, std::string_view beside);
 
-/// The number for each channel in the variable or field `name`, [count]; nothing where it is not finite. Nothing for
-/// every channel if there is no such variable, or if it does not hold `count` real numbers.
+/// [count] the number for each channel in the variable or field `name`, see description_variable(); nothing where it is
+/// not finite. Nothing for every channel if there is no such variable, or if it does not hold `count` real numbers.
 std::vector<std::optional<double>> per_channel(const MatFile& file, const char* name, std::size_t count,
                                                std::string_view beside);
 
-/// The whole numbers of `rows` hits in the variable `name`, or in the field of this name; a field with one number
-/// states it for all hits. Zeros if there is none. A note names a field that holds something else. errors  InputError:
-/// a variable, or a field beside the signal `beside`, with another number of values or with one that is not whole.
+/// [rows] the whole numbers of the hits in the variable or field `name`, see description_variable(); a field with one
+/// number states it for all hits. Zeros if there is none. A note names a field of another structure that holds
+/// something else. errors  InputError: a variable, or a field beside `beside`, with another number of values or with
+/// one that is not whole.
 std::vector<int> numbers_of_hits(const MatFile& file, const char* name, std::size_t rows, std::string_view beside,
                                  std::vector<Message>& notes);
 

@@ -139,8 +139,8 @@ bool holds_samples(const MatField& field) {
          std::all_of(field.values.begin(), field.values.end(), is_array);
 }
 
-// Real arrays of equal size as one array: vectors and unlike matrices as [elements, size], matrices of one shape as
-// [elements, shorter side, longer side], the layout of accelerations [hits, channels, samples].
+// Stacks real arrays of equal size: matrices of one shape as [elements, shorter side, longer side], which is the layout
+// of accelerations [hits, channels, samples]; vectors and matrices of other shapes as [elements, size].
 MatVariable stacked(const std::string& name, const std::vector<MatVariable>& parts) {
   const std::size_t elements = parts.size(), length = parts.front().size();
   std::vector<std::size_t> sides = parts.front().shape;

@@ -31,7 +31,7 @@ std::string stated_unit(const MatFile& file, const MatVariable& variable, const 
   return unit_in(file, channel == split.end() ? variable.name : channel->second.variable);
 }
 
-// "g" of "acc_g", and of its channel "acc_g 2".
+// The unit in a variable's name: "g" of "acc_g", also for its channel "acc_g 2".
 std::string unit_in_variable_name(const std::string& name, const ChannelMap& split) {
   const auto channel = split.find(name);
   return split_name(channel == split.end() ? name : channel->second.variable).unit;
@@ -139,13 +139,13 @@ MatLayout layout_without_force(OpenMat& open, const SignalRoles& roles, const st
   return layout;
 }
 
-// The name of the force, else of the first response. Fields beside it describe the record.
+// The name of the force, else of the first response. The fields beside this variable describe the record.
 const std::string& name_beside(const OpenMat& open, const SignalRoles& roles, const std::vector<std::size_t>& index) {
   return open.file.variables[index[roles.has_force ? roles.force : roles.accel.front()]].name;
 }
 
-// The angles and positions of the accelerations. They are stated for all channels of a variable. An acceleration in
-// the stead of a channel that is the force has the place of that channel.
+// Sets the angles and positions of the accelerations. The file states them for all channels of a variable. If one
+// channel is the force, the acceleration that takes its place in the list has the channel's angle and position.
 void place_signals(const OpenMat& open, std::size_t first_accel, const ChannelMap& split,
                    std::vector<TableSignal>& signals, std::vector<Message>& notes) {
   const auto name_of = [&](std::size_t signal) { return open.file.variables[open.sources[signal].variable].name; };

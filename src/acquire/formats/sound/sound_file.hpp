@@ -28,7 +28,7 @@ class SoundInput {
 
   std::size_t channels() const;
   std::size_t frames() const;
-  /// The frames that the header states, if they are more than the file holds: it was not copied or recorded to its end.
+  /// The number of frames that the header states, if the file holds fewer because a copy or recording stopped early.
   std::optional<std::uint64_t> frames_of_whole_file() const;
   int rate_Hz() const;
   std::string format() const;  // for people: "WAV", "RF64", "W64"

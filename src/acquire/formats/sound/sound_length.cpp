@@ -8,11 +8,11 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::uint32_t kUnknown32 = 0x7FFF'0000;  // and above: arecord and others write such a length to a pipe
+constexpr std::uint32_t kUnknown32 = 0x7FFF'0000;  // from this length on: arecord and others write it to a pipe
 constexpr std::size_t kMaxChunks = 4096;           // before the samples
 constexpr std::uint64_t kMaxOffset = std::uint64_t{1} << 62U;
-// Of RIFF: the letters and four bytes of length. Of W64: sixteen bytes of a GUID and eight of length, which counts
-// them.
+// A chunk of RIFF begins with four letters and four bytes of length. A chunk of W64 begins with a GUID of sixteen bytes
+// and eight bytes of length; this length includes the 24 bytes.
 constexpr std::size_t kRiffHead = 8, kRiffStart = 12, kW64Head = 24, kW64Start = 40;
 
 std::uint64_t number_of(std::string_view bytes, bool big_endian) {
@@ -24,7 +24,7 @@ std::uint64_t number_of(std::string_view bytes, bool big_endian) {
   return value;
 }
 
-// `count` bytes from `offset` on; fewer at the end of the file.
+// `count` bytes from `offset` on; fewer if the file ends before.
 std::string bytes_at(std::ifstream& file, std::uint64_t offset, std::size_t count) {
   std::string out(count, '\0');
   file.clear();

@@ -12,11 +12,11 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr double kSameStart = 0.1;  // of the longest capture before: triggers move the first time by some steps
+constexpr double kSameStart = 0.1;  // of the longest earlier capture: the first times of captures differ by some steps
 constexpr std::size_t kMaxCaptures = 1'000'000;
 
-// The lines of one row at which captures start, the row's first line included. Nothing where a time steps back to
-// another time than the first.
+// The lines of one row at which captures start, the row's first line included. Nothing if a time steps back to
+// another time than about the first of the row.
 std::optional<std::vector<std::size_t>> capture_starts(const CsvTable& table, const CsvTimes* times,
                                                        const CsvRow& row) {
   const std::size_t end = row.first_line + row.info.samples;
@@ -28,7 +28,7 @@ std::optional<std::vector<std::size_t>> capture_starts(const CsvTable& table, co
     return starts;
   }
   const std::vector<double>& t = times->time_s;
-  double longest_s = 0;  // of the captures before
+  double longest_s = 0;  // of the earlier captures
   for (std::size_t i = row.first_line + 1; i < end; ++i) {
     const std::size_t start = starts.back();
     const double length_s = t[i - 1] - t[start];
@@ -47,7 +47,7 @@ std::optional<std::vector<std::size_t>> capture_starts(const CsvTable& table, co
   return starts;
 }
 
-// Whether a column that may be no time rises evenly in every capture.
+// Whether a column that may hold something else than times rises evenly in every capture.
 bool captures_rise_evenly(const CsvTimes& times, const std::vector<CsvRow>& captures) {
   constexpr std::size_t kMinEven = 8;  // as in rises_evenly()
   return std::all_of(captures.begin(), captures.end(), [&](const CsvRow& row) {

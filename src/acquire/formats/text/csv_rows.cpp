@@ -114,7 +114,7 @@ void add_gaps(const RowGaps& gaps, std::vector<CsvRow>& rows) {
   }
 }
 
-// The rate of the stamps. Where only gaps make them uneven, the rows gain these gaps.
+// The rate of the stamps. If only gaps make the stamps uneven, adds these gaps to the rows.
 // errors  InputError: a line has no time
 std::optional<StampedRate> stamped_rate(const CsvTable& table, const CsvTimes& times, std::vector<CsvRow>& rows,
                                         StampProblem& problem) {
@@ -181,8 +181,8 @@ bool keeps_rising(const CsvTimes& times, const CsvRow& row) {
   return std::is_sorted(t.begin(), t.end());
 }
 
-// Notes that the first and the last time of the first row contradict the stated rate. Times that start again within the
-// row state no rate.
+// Adds a note if the first and the last time of the first row contradict the stated rate. Times that start again within
+// the row state no rate.
 void note_other_times(const CsvTable& table, const CsvColumns& columns, const std::optional<CsvTimes>& times,
                       const std::vector<CsvRow>& rows, double fs_Hz, std::vector<Message>& notes) {
   if (!columns.time || rows.front().lines() < 2) return;

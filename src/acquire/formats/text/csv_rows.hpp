@@ -11,7 +11,7 @@
 
 namespace percuss::acquire {
 
-/// Samples of a row that its file lacks: `count` samples from sample `first` of the row on.
+/// Missing samples of a row: `count` samples from sample `first` of the row on.
 struct CsvGap {
   std::size_t first = 0, count = 0;
 };
@@ -32,8 +32,8 @@ struct CsvRow {
 std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& columns);
 
 /// The sampling rate: the user's, else from the times and the header, which must agree. Times of day that give no
-/// rate, such as whole seconds, leave it to the header. Where the times show that lines were lost, the rows gain gaps
-/// and the missing samples (gaps_of_stamps()). Adds assumptions to `notes`.
+/// rate, such as whole seconds, leave it to the header. If the times show that lines were lost (gaps_of_stamps()), adds
+/// the gaps and the missing samples to the rows. Adds assumptions to `notes`.
 /// errors  InputError: no rate is stated, two rates disagree (also of two rows), time stamps are uneven or coarse, the
 /// rate is implausible.
 double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const std::optional<CsvTimes>& times,

@@ -69,8 +69,8 @@ class CsvTable {
   FileBytes bytes_;
   CsvDialect dialect_;
   CsvHeader header_;
-  std::vector<std::string_view> header_lines_;  // with text over a column of numbers: such a line is never data
-  bool header_like_number_ = false;             // one of header_lines_ starts as a number does
+  std::vector<std::string_view> header_lines_;  // lines with text over a column of numbers, which are never data
+  bool header_like_number_ = false;             // one of header_lines_ starts like a number
   std::vector<std::size_t> lines_after_header_;
   std::size_t lines_ = 0;
   std::vector<std::size_t> block_start_;  // offset of each block's first line from the start of the data, in bytes

@@ -25,7 +25,7 @@ TimeOfCell number_times(const CsvTable& table, std::size_t index, double to_s) {
   };
 }
 
-// Times of day as seconds from the first stamp, so that their digits are kept. A day may end within the record.
+// Times of day as seconds from the first stamp, so that their digits are kept. The record may pass midnight.
 TimeOfCell clock_times(const CsvTable& table, std::size_t index) {
   constexpr double kDay_s = 86400;
   return [&table, index, first_s = 0.0, last_s = 0.0](std::size_t line, std::string_view cell) mutable {

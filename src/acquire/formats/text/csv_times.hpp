@@ -12,29 +12,29 @@
 
 namespace percuss::acquire {
 
-/// What says that a column holds times.
+/// The reason why a column counts as times.
 enum class CsvTimeKind {
   named,    // its name or its unit
   clock,    // cells such as 07:08:09.5
   guessed,  // it is the first column and neither a signal nor a count
-  counted,  // it is the first column, and its name is a count's: it may number the samples, but states no rate
+  counted,  // it is the first column, and its name is one of a count: it may number the samples, but states no rate
 };
 
 /// The times that a text states line by line.
 struct CsvTimes {
   CsvTimeKind kind = CsvTimeKind::named;
   CsvColumn column;
-  double to_s = 1;                    // s per unit of the cells
-  std::vector<double> time_s;         // of the data lines, in order, up to the first that is no time
-  std::optional<InputError> problem;  // of that line
-  std::function<int(std::string_view cell)> decimals;
+  double to_s = 1;                                     // s per unit of the cells
+  std::vector<double> time_s;                          // [data lines] up to the first cell that is no time
+  std::optional<InputError> problem;                   // of that cell
+  std::function<int(std::string_view cell)> decimals;  // number of decimals of a cell
 };
 
 /// The first column of times of day among the leftmost four. It gives the rate if the text has no other time column.
 std::optional<std::size_t> clock_column(const CsvTable& table);
 
-/// Reads the column of times: the named one, else times of day, else a first column that may be the time or a count.
-/// Times of day are in s from the first one, and a day may end within them. Nothing where there is no such column.
+/// Reads the column of times: the named column, else times of day, else a first column that may be the time or a count.
+/// Times of day are in s from the first one, and may pass midnight. Nothing if there is no such column.
 std::optional<CsvTimes> read_csv_times(const CsvTable& table, const CsvColumns& columns);
 
 }  // namespace percuss::acquire

@@ -77,8 +77,7 @@ void describe_signals(const CsvColumns& columns, const ReadOptions& options, Ope
   note_assumed_units(record);
 }
 
-// Divides the rows into captures, if no column numbers the hits. A capture is searched for hits, as a file of its own
-// would be.
+// Divides the rows into captures, if no column numbers the hits. A capture is searched for hits like a separate file.
 void divide_rows(OpenCsv& open, const CsvColumns& columns, const std::optional<CsvTimes>& times, Record& record) {
   if (columns.hit) return;
   const std::size_t signal = columns.has_force ? columns.force.index : columns.accel.front().index;
@@ -103,8 +102,8 @@ void require_samples(const OpenCsv& open) {
 void describe_rows(const OpenCsv& open, Record& record) {
   for (const auto& row : open.rows) {
     for (const CsvGap& gap : row.gaps) {
-      const SampleGap its{.row = record.rows.size(), .first = gap.first, .count = gap.count};
-      record.faults.push_back(fault_of(its, record.fs_Hz));
+      const SampleGap in_record{.row = record.rows.size(), .first = gap.first, .count = gap.count};
+      record.faults.push_back(fault_of(in_record, record.fs_Hz));
     }
     record.rows.push_back(row.info);
   }
@@ -121,24 +120,25 @@ void read_lines(const OpenCsv& open, std::size_t column, double to_SI, std::size
   }
 }
 
+// Reads samples of a row, with straight lines across its gaps.
 void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, double to_SI, std::size_t first,
                  std::span<double> out) {
   assert(row < open.rows.size() && first + out.size() <= open.rows[row].info.samples);
-  const CsvRow& its = open.rows[row];
+  const CsvRow& csv_row = open.rows[row];
   const std::size_t last = first + out.size();
-  std::size_t at = first, missing = 0;  // samples that the gaps before `at` lack
+  std::size_t at = first, missing = 0;  // next sample to give; samples that the gaps before it lack
   const auto read_until = [&](std::size_t end) {
     if (at >= end) return;
-    read_lines(open, column, to_SI, its.first_line + at - missing, out.subspan(at - first, end - at));
+    read_lines(open, column, to_SI, csv_row.first_line + at - missing, out.subspan(at - first, end - at));
     at = end;
   };
-  for (const CsvGap& gap : its.gaps) {
+  for (const CsvGap& gap : csv_row.gaps) {
     const std::size_t gap_end = gap.first + gap.count;
     if (gap.first >= last) break;
     if (gap_end > first) {
       read_until(gap.first);
       std::array<double, 2> beside{};
-      read_lines(open, column, to_SI, its.first_line + gap.first - 1 - missing, beside);
+      read_lines(open, column, to_SI, csv_row.first_line + gap.first - 1 - missing, beside);
       const double step = (beside[1] - beside[0]) / static_cast<double>(gap.count + 1);
       for (; at < std::min(gap_end, last); ++at)
         out[at - first] = beside[0] + static_cast<double>(at - gap.first + 1) * step;
