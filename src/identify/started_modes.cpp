@@ -8,9 +8,9 @@
 #include <optional>
 #include <utility>
 
+#include "identify/misfit/misfit.hpp"
 #include "identify/model/close_poles.hpp"
 #include "identify/model/frf_synthesis.hpp"
-#include "identify/misfit/misfit.hpp"
 #include "identify/select/finished_modes.hpp"
 #include "identify/select/joint_refinement.hpp"
 #include "identify/select/sequential_fit.hpp"
