@@ -1,4 +1,5 @@
 #include "acquire/formats/text/csv_captures.hpp"
+#include "acquire/record/sample_gap.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -178,12 +179,19 @@ TEST(CsvCaptures, HaveOneRate) {
                     HasSubstr("x.csv: line 42, column 1"), HasSubstr("files of their own")));
 }
 
-TEST(CsvCaptures, NameTheLineOfALostOrLoneSample) {
+TEST(CsvCaptures, KeepTheTimeBehindALostLine) {
   std::string lost = capture(1);
   const std::size_t at = lost.find("\n0.0050");
   lost.erase(at, lost.find("\n0.0060") - at);
-  EXPECT_THAT(input_error_of([&] { csv_record(kHead + capture(0) + lost); }),
-              AllOf(HasSubstr("uneven time: a step of 0.002 s where 0.001 s is usual"), HasSubstr("line 57")));
+  const Record record = csv_record(kHead + capture(0) + lost + capture(2));
+  EXPECT_THAT(row_lengths(record), ElementsAre(kSamples, kSamples, kSamples));
+  const std::vector<SampleGap> gaps = gaps_of(record);
+  ASSERT_EQ(gaps.size(), 1U);
+  EXPECT_EQ(gaps[0].row, 1U);
+  EXPECT_EQ(gaps[0].count, 1U);
+}
+
+TEST(CsvCaptures, NameTheLineOfALoneSample) {
   EXPECT_THAT(input_error_of([] { csv_record(kHead + capture(0) + capture(1, 1)); }),
               HasSubstr("fewer than two samples (x.csv: line 42)"));
   EXPECT_THAT(input_error_of([] { csv_record(kHead + capture(0) + capture(1, 1) + capture(2)); }),
