@@ -1,5 +1,4 @@
 #include "acquire/formats/text/csv_captures.hpp"
-#include "acquire/record/sample_gap.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -8,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "acquire/record/sample_gap.hpp"
 #include "support/files/csv_text.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
