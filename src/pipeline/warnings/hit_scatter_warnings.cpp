@@ -134,6 +134,31 @@ Warning misfit_warning(const std::string& list, const Mode& first, std::optional
                   side, *residual_end_Hz));
 }
 
+std::string drift_per_hit(const identify::DriftTrend& drift) {
+  return fmt::format("by {} ppm per hit", value_with_std(kPpm * std::abs(drift.freq_change_per_hit), kPpm * drift.std));
+}
+
+// The drifts of the modes; empty where there are none. identify::describe_common_drift() gives all modes the same one.
+std::string drift_text(const std::vector<Mode>& modes) {
+  const auto falls = [](const Mode& mode) { return mode.drift->freq_change_per_hit < 0; };
+  const bool common = modes.size() > 1 && std::all_of(modes.begin(), modes.end(), [&](const Mode& mode) {
+                        return mode.drift && modes.front().drift &&
+                               mode.drift->freq_change_per_hit == modes.front().drift->freq_change_per_hit;
+                      });
+  if (common) {
+    return fmt::format(
+        "all {} {}. The values are those of the middle of the test. The drift has been taken out of shapes and damping "
+        "ratios, and the ± of a frequency includes it",
+        falls(modes.front()) ? "fall" : "rise", drift_per_hit(*modes.front().drift));
+  }
+  const std::string drift = named_modes(
+      modes, [](const Mode& mode) { return mode.drift ? std::abs(mode.drift->freq_change_per_hit) : 0; },
+      [&](const Mode& mode) {
+        return fmt::format("{} {}", falls(mode) ? "falls" : "rises", drift_per_hit(*mode.drift));
+      });
+  return drift.empty() ? drift : drift + ". Each value is a mean over the hits, and its ± includes the drift";
+}
+
 }  // namespace
 
 bool misfits_much(const Mode& mode) { return misfit_rank(mode) > 0; }
@@ -147,18 +172,10 @@ std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes, std::o
                                                 "scatter"},
                               "quote the force with each value, or hit with equal strength"));
   }
-  const std::string drift = named_modes(
-      modes, [](const Mode& mode) { return mode.drift ? std::abs(mode.drift->freq_change_per_hit) : 0; },
-      [](const Mode& mode) {
-        return fmt::format("{} by {} ppm per hit", mode.drift->freq_change_per_hit < 0 ? "falls" : "rises",
-                           value_with_std(kPpm * std::abs(mode.drift->freq_change_per_hit), kPpm * mode.drift->std));
-      });
-  if (!drift.empty()) {
-    out.push_back(with_remedy(
-        {"drifting", "frequencies drift from hit to hit, in the order of the test: " + drift +
-                         ". Each value is a mean over the hits, and its ± includes the drift. Possible causes: "
-                         "temperature, a support that settles, damage"},
-        "wait until temperature and support are steady, and repeat the test"));
+  if (const std::string drift = drift_text(modes); !drift.empty()) {
+    out.push_back(with_remedy({"drifting", "frequencies drift from hit to hit, in the order of the test: " + drift +
+                                               ". Possible causes: temperature, a support that settles, damage"},
+                              "wait until temperature and support are steady, and repeat the test"));
   }
   const std::string rest = named_modes(modes, unexplained_rank, [](const Mode& mode) {
     std::string text;

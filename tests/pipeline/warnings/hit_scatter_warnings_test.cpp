@@ -70,4 +70,19 @@ TEST(HitScatterWarnings, NameAModeBeyondTheLinesFirstWhereTheResidualGrowsToward
   EXPECT_THAT(misfit_of({}), testing::HasSubstr("structure that the fitted modes do not explain"));
 }
 
+std::string drift_of(const std::vector<double>& change_per_hit) {
+  std::vector<identify::Mode> modes(change_per_hit.size());
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    modes[m].pole = {.freq_Hz = 100 + 50 * static_cast<double>(m), .damping_ratio = 0.01};
+    modes[m].drift = identify::DriftTrend{.freq_change_per_hit = change_per_hit[m], .std = 1e-8};
+  }
+  return hit_scatter_warnings(modes).at(0).message;
+}
+
+TEST(HitScatterWarnings, SayOnceThatAllModesDriftAlike) {
+  EXPECT_THAT(drift_of({-5e-6, -5e-6}), testing::HasSubstr("all fall by 5.000 ± 0.010 ppm per hit. The values are "
+                                                           "those of the middle of the test"));
+  EXPECT_THAT(drift_of({5e-6, 6e-6}), testing::HasSubstr("150 Hz rises by 6.000 ± 0.010 ppm per hit"));
+}
+
 }  // namespace percuss::pipeline::hit_scatter_warnings_test
