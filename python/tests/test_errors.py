@@ -169,7 +169,7 @@ def test_a_test_without_a_usable_hit_gives_a_result():
             getattr(found, name)
     with pytest.raises(percuss.NoHitError):
         found.save("frfs.h5")
-    assert "no hit can be used" in found._repr_html_() and "no hit can be used" in str(found)
+    assert all("no hit has a pulse of the force" in text for text in (found._repr_html_(), str(found)))
 
 
 def test_files_are_not_overwritten(tool, bat):
