@@ -77,7 +77,9 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
       .type("I,...")
       .add_check(kHitsRequirement, names_hits);
   command.value("--modes", flags.modes, "Report this many modes, the clearest ones").within(1, 1000);
-  command.list("--start", flags.start_Hz, "List modes near these frequencies and no others").above_zero().type("HZ,...");
+  command.list("--start", flags.start_Hz, "List modes near these frequencies and no others")
+      .above_zero()
+      .type("HZ,...");
   command.value("--trigger", flags.trigger_N, "Detect a hit above this force (default: from the noise)")
       .above_zero()
       .type("NEWTON");
