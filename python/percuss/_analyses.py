@@ -148,7 +148,10 @@ class Analysis(TestResult):
 
     @property
     def frac(self) -> np.ndarray:
-        """(points, channels) frequency response assurance criterion of measured and synthesised FRF: 1 if they are equal."""
+        """(points, channels) frequency response assurance criterion of measured and synthesised FRF: 1 if they are equal.
+
+        Synthesised from all fitted modes, also those that `start` and `modes` do not list; so are the residual terms.
+        """
         return self._residual_term("frac")
 
     def synthesise(self, freq_hz: Any, kind: str = "accelerance", residual_terms: bool = True) -> np.ndarray:
@@ -182,6 +185,7 @@ class Analysis(TestResult):
         Notes
         -----
         If the record ends before the decay, the measured FRF differs from this one by the missing part of the decay.
+        Modes of the fit that `start` or `modes` do not list are not part of it.
 
         Examples
         --------

@@ -94,6 +94,8 @@ class Analysis {
   const identify::FrfDataset& fitted_frfs() const;
   /// Modes within the band, ascending.
   const std::vector<identify::Mode>& modes() const;
+  /// All modes of the fit within the band, ascending: modes(), and those that the user's choice leaves out.
+  std::vector<identify::Mode> fitted_modes() const;
   /// Computes modes() and frfs() in the order that takes less time.
   void compute_modes_and_frfs() const;
   const std::vector<identify::ModeClassification>& classifications() const;
@@ -105,11 +107,11 @@ class Analysis {
   const std::vector<identify::Mode>& modes_below() const;
   /// The numbers of bending and of hoop modes of a tube among modes_below(), classified by two sensors.
   const identify::LowerOrders& lower_orders() const;
-  /// fitted_frfs() computed from the modes, over band_lines().
+  /// fitted_frfs() computed from fitted_modes(), over band_lines().
   const std::vector<identify::SynthesisedFrf>& synthesis() const;
-  /// How well the modes explain each FRF, over band_lines().
+  /// How well fitted_modes() explain each FRF, over band_lines(), and the FRFs around each of modes().
   const FitQuality& fit() const;
-  /// Peaks of fitted_frfs() that no mode models, the largest first; some lie just beyond the band.
+  /// Peaks of fitted_frfs() that none of fitted_modes() models, the largest first; some lie just beyond the band.
   const std::vector<identify::UnmodelledPeak>& unexplained_peaks() const;
   /// Poles within the band that are stable in a section of it, and whose resonance no mode describes. Empty if the user
   /// chose the modes.

@@ -139,6 +139,15 @@ const std::vector<identify::Mode>& Analysis::modes() const {
   });
 }
 
+std::vector<identify::Mode> Analysis::fitted_modes() const {
+  const std::vector<identify::Mode>& listed = modes();  // sets the others
+  std::vector<identify::Mode> all = band_modes_.empty() ? listed : band_modes_;
+  all.insert(all.end(), unlisted_modes_.begin(), unlisted_modes_.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const identify::Mode& a, const identify::Mode& b) { return a.pole.freq_Hz < b.pole.freq_Hz; });
+  return all;
+}
+
 const std::vector<identify::ModeClassification>& Analysis::types() const {
   return within_budget(budget_, types_, [&] {
     const std::vector<identify::Mode>& found = modes();

@@ -36,7 +36,7 @@ const acquire::Record& Analysis::aligned_record() const {
 
 const std::vector<Eigen::VectorXcd>& Analysis::modal_sums() const {
   return within_budget(budget_, modal_sums_, [&] {
-    const std::vector<identify::Mode>& found = modes();
+    const std::vector<identify::Mode> found = fitted_modes();
     const ThreadLimit limit(options_.threads);
     return identify::modal_sums(fitted_frfs(), found);
   });
@@ -58,7 +58,7 @@ const FitQuality& Analysis::fit() const {
 const std::vector<identify::UnmodelledPeak>& Analysis::unexplained_peaks() const {
   return within_budget(budget_, unexplained_peaks_, [&] {
     const ThreadLimit limit(options_.threads);
-    return trace_.run("peaks", [&] { return unexplained_peaks_of(fitted_frfs(), modes()); });
+    return trace_.run("peaks", [&] { return unexplained_peaks_of(fitted_frfs(), fitted_modes()); });
   });
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -94,7 +95,7 @@ std::vector<Warning> Analysis::warnings() const {
     add(channel_mode_warnings(record(), modes(), channel_findings(), force_known, sensors));
   }
   if (modes_.ready()) {
-    add(freq_scatter_warnings(modes()));
+    add(freq_scatter_warnings(modes(), force_known ? order_of_points(graded) : std::map<int, double>{}));
     add(hit_scatter_warnings(modes(), residual_end_Hz_));
     add(mass_loading_warnings(modes()));
     add(truncation_warnings(modes(), lines(), window_decay_per_s(), force_known));

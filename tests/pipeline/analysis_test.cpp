@@ -151,6 +151,27 @@ TEST(Analysis, FindsTheModesAndTheirTypes) {
   EXPECT_EQ(analysis.modes_per_hit().size(), 10U);
 }
 
+// The modes that the user does not list take part in the fit, and FRFs and peaks are judged with them.
+TEST(Analysis, JudgesTheFitByAllModesThatTookPart) {
+  const acquire::Record record = synth::synthesise(bat()).record;
+  const std::pair band{60.0, 3200.0};
+  const Analysis whole = analysis_of(record, {.band_Hz = band});
+  ASSERT_EQ(whole.modes().size(), 2U);
+  EXPECT_EQ(whole.fitted_modes().size(), 2U);
+  for (const identify::IdentifyOptions& chosen :
+       {identify::IdentifyOptions{.modes = 1}, identify::IdentifyOptions{.start_Hz = {1900}}}) {
+    const Analysis part = analysis_of(record, {.band_Hz = band, .modes = chosen});
+    ASSERT_EQ(part.modes().size(), 1U);
+    ASSERT_EQ(part.fitted_modes().size(), 2U);
+    EXPECT_LT(part.fitted_modes()[0].pole.freq_Hz, part.fitted_modes()[1].pole.freq_Hz);
+    ASSERT_EQ(part.synthesis().size(), whole.synthesis().size());
+    for (std::size_t o = 0; o < part.synthesis().size(); ++o)
+      EXPECT_EQ(part.synthesis()[o].frac, whole.synthesis()[o].frac) << o;
+    EXPECT_EQ(part.fit().mode_frac.size(), 1U);
+    EXPECT_EQ(part.unexplained_peaks().size(), whole.unexplained_peaks().size());
+  }
+}
+
 TEST(Analysis, RejectsADoubleHitUnlessTheUserAcceptsIt) {
   synth::SynthSpec spec = bat();
   spec.faults = {{.hit = 2, .kind = synth::SynthFaultKind::double_hit, .ratio = 0.3, .delay_s = 0.010}};

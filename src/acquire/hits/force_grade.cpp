@@ -44,8 +44,8 @@ void grade_pulse(Hit& hit, std::span<const double> x, const PulseShape& pulse, b
     hit.findings.push_back({.code = FindingCode::polarity,
                             .severity = Severity::warn,
                             .value = hit.peak_N,
-                            .message = "the force pulse is negative, but a hammer only pushes, so every FRF has the "
-                                       "wrong sign; use a negative force scale",
+                            .message = "the force pulse is negative, but a hammer only pushes, so the FRFs of this hit "
+                                       "have the wrong sign; give the scale of its force the other sign",
                             .options = {"force_scale"}});
   }
 }

@@ -26,7 +26,8 @@ struct FitQuality {
   std::vector<double> mode_frac;  // [modes] over all FRFs, within three half-power bandwidths of each mode
 };
 
-/// `made`: the FRFs of the modes over `band`, which lies within set.lines.
+/// `made`: the FRFs of all fitted modes over `band`, which lies within set.lines. `modes`: the modes whose FRAC is
+/// wanted.
 FitQuality fit_quality(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                        const std::vector<identify::SynthesisedFrf>& made, const acquire::LineRange& band);
 

@@ -20,6 +20,15 @@ constexpr std::size_t kLinesPerBand = 6;  // lines per band of the pulse's spect
 constexpr double kMinAtNyquist = 0.1;     // of the pulse's level at low frequencies: below it nothing is excited there
 constexpr double kMaxFilterFall = 0.7;    // from 0.42 to 0.495 of the sampling rate; a filter falls further
 constexpr double kMinFolded = 0.02;  // of the largest response: level of the highest frequencies just after the hit
+// A contact that excites half the sampling rate ends within kContact samples of its peak. A steep filter rings beyond
+// them, near half the sampling rate: a linear-phase filter on both sides, with 7 to 15 % of the pulse's level there, a
+// recursive one after the pulse, with 12 %. First-order filters do not ring, and fourth-order ones with 3 %. A hammer
+// without a filter may ring after the pulse, but not before it.
+constexpr std::size_t kContact = 3, kRingingReach = 16;              // samples on either side
+constexpr double kRingingFrom = 0.35;                                // of the sampling rate
+constexpr double kMinRingingBefore = 0.02, kMinRingingAfter = 0.08;  // of the pulse's level
+constexpr double kSureOfRinging = 2;                                 // standard deviations of the noise
+constexpr double kSpreadOfNoise = 0.65;   // relative, of the power of kRingingReach samples of noise above kRingingFrom
 constexpr std::size_t kMinSameLevel = 4;  // hits that show a level
 constexpr double kMaxLevelSpread = 0.04;  // of the logarithm of the extremes
 constexpr double kMinForceSpread = 0.05;  // of the logarithm of the forces
@@ -44,6 +53,35 @@ double pulse_level(const std::vector<double>& pulse, double from, double to) {
     square += std::norm(sum);
   }
   return std::sqrt(square / static_cast<double>(kLinesPerBand));
+}
+
+// Power near half the sampling rate, summed over hits: of the pulses, and of the samples on either side of them without
+// the noise.
+struct RingingPower {
+  double pulse = 0, before = 0, after = 0;
+  double variance = 0;  // of `before` and of `after`, by the noise
+  bool of_a_filter() const {
+    const auto exceeds = [&](double power, double least) {
+      return power > least * least * pulse + kSureOfRinging * std::sqrt(variance);
+    };
+    return exceeds(before, kMinRingingBefore) || exceeds(after, kMinRingingAfter);
+  }
+};
+
+void add_ringing(const acquire::Record& record, const acquire::Hit& hit, RingingPower& sum) {
+  const auto power_of = [&](std::size_t first, std::size_t end) {
+    std::vector<double> x(end - first);
+    record.read_force_N(hit.row, first, x);
+    for (double& value : x) value -= hit.baseline_N;
+    const double noise = static_cast<double>(x.size()) * hit.noise_N * hit.noise_N;
+    return std::pow(pulse_level(x, kRingingFrom, 0.5), 2) - noise;
+  };
+  const std::size_t rise = hit.peak - std::min(hit.peak, kContact), fall = hit.peak + kContact + 1;
+  const std::size_t end = std::min(fall + kRingingReach, record.rows[hit.row].samples);
+  sum.before += power_of(rise - std::min(rise, kRingingReach), rise);
+  if (fall < end) sum.after += power_of(fall, end);
+  sum.pulse += std::pow(pulse_level(hit.gated_N, kRingingFrom, 0.5), 2);
+  sum.variance += std::pow(kSpreadOfNoise * static_cast<double>(kRingingReach) * hit.noise_N * hit.noise_N, 2);
 }
 
 double spread_of_logs(const std::vector<double>& values) {
@@ -141,8 +179,10 @@ std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std:
   // two samples.
   const double most = nyquist.empty() ? 0 : *std::max_element(nyquist.begin(), nyquist.end());
   if (most < kMinAtNyquist) return {};
+  RingingPower ringing;
   for (const std::size_t h : used) {
     const std::vector<double>& pulse = hits[h].hit.gated_N;
+    add_ringing(record, hits[h].hit, ringing);
     fall.push_back(pulse_level(pulse, 0.49, 0.5) / pulse_level(pulse, 0.41, 0.43));
     for (const HitResponse& response : responses.of[h]) {
       const double largest = response.grade.extremes.max_distance_from(0);
@@ -151,12 +191,13 @@ std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std:
     }
   }
   if (folded.empty() || *std::max_element(fall.begin(), fall.end()) < kMaxFilterFall) return {};
-  if (median(folded) < kMinFolded) return {};
+  // The folded spectrum of a filter that stops only from 0.55 of the sampling rate on also reaches half the rate.
+  if (median(folded) < kMinFolded || ringing.of_a_filter()) return {};
   return {with_remedy(
       {"aliasing",
        fmt::format("no steep anti-alias filter acts before sampling at {:.6g} Hz: at half the sampling rate the force "
-                   "still has {:.0f} % of its level at low frequencies, and the responses still hold their highest "
-                   "frequencies. "
+                   "still has {:.0f} % of its level at low frequencies, its pulses lack the ringing of such a filter, "
+                   "and the responses still hold their highest frequencies. "
                    "Modes above {:.6g} Hz are folded into the band: their frequencies are false, and modes near them "
                    "are biased",
                    record.fs_Hz, 100 * most, record.fs_Hz / 2)},

@@ -7,8 +7,8 @@
 
 namespace percuss::pipeline {
 
-/// `aliasing`: the spectra of the pulses and of the responses do not fall towards half the sampling rate, as they would
-/// behind an anti-alias filter.
+/// `aliasing`: the spectra of the pulses and of the responses do not fall towards half the sampling rate, and the
+/// pulses do not ring there, as they would behind a steep anti-alias filter.
 std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                        const HitResponses& responses);
 

@@ -7,7 +7,9 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "core/io/counted_words.hpp"
@@ -21,6 +23,7 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kPoorCoherence = 0.5;
+constexpr std::size_t kMaxPointsInText = 8, kMaxFilesInText = 4;
 constexpr double kMaxForce_N = 1e5;  // sledge hammers for tests of bridges measure up to some 20 kN
 
 // The accepted hits with a finding of this code, and the least value of these findings.
@@ -59,12 +62,11 @@ Warning disagreement(const acquire::Record& record, const std::vector<AnalysedHi
   std::vector<std::string> who;
   for (const auto& [point, of_point] : points)
     who.push_back(hit_list(of_point) + (survey ? fmt::format(" at point {}", names.name(point)) : ""));
-  constexpr std::size_t kMaxListedPoints = 8;
   Warning warning{"hits_disagree",
                   fmt::format("the other hits explain less than half of the response{} of {}: was another structure, "
                               "point or sensor measured? The modes belong to a mixture",
                               plural(poor.size()),
-                              limited_list(who.size(), kMaxListedPoints, [&](std::size_t i) { return who[i]; }))};
+                              limited_list(who.size(), kMaxPointsInText, [&](std::size_t i) { return who[i]; }))};
   const bool several_tests = std::any_of(points.begin(), points.end(), [&](const auto& one) {
     return may_be_several_tests(record.rows, hits, all.at(one.first));
   });
@@ -86,6 +88,67 @@ Warning disagreement(const acquire::Record& record, const std::vector<AnalysedHi
                                                      poor.size() == 1 ? "it was" : "they were"));
 }
 
+// "hits 4, 5", or in a survey "the hits at point 9 (P9.csv)", "hit 5 at point 2 (P2.csv), hit 9 at point 3 (P3.csv)".
+std::string hits_at_points(const std::vector<AnalysedHit>& hits, const std::vector<std::size_t>& which,
+                           const PointNames& names) {
+  const auto all = hits_of_points(hits);
+  if (all.size() < 2) return hit_list(which);
+  std::map<int, std::vector<std::size_t>> points;
+  for (const std::size_t h : which) points[hits[h].point].push_back(h);
+  std::vector<int> whole;
+  std::vector<std::string> who;
+  for (const auto& [point, of_point] : points) {
+    if (of_point.size() == all.at(point).size()) whole.push_back(point);
+    who.push_back(fmt::format("{} at point {}", hit_list(of_point), names.name(point)));
+  }
+  if (whole.size() == points.size())
+    return fmt::format("the hit{} at {}", plural(which.size()), names.list(whole, kMaxPointsInText));
+  return limited_list(who.size(), kMaxPointsInText, [&](std::size_t i) { return who[i]; });
+}
+
+// The files that hold these hits and no other accepted ones, in their order; nothing where other hits share a file.
+std::optional<std::vector<std::size_t>> files_of(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                                 const std::vector<std::size_t>& which) {
+  std::set<std::size_t> own, others;
+  for (const std::size_t h : accepted_hits(hits)) {
+    if (hits[h].hit.row >= record.rows.size()) return std::nullopt;
+    const bool is_one = std::binary_search(which.begin(), which.end(), h);
+    (is_one ? own : others).insert(record.rows[hits[h].hit.row].file);
+  }
+  const bool shared = std::any_of(own.begin(), own.end(), [&](std::size_t file) { return others.contains(file); });
+  if (shared || *own.rbegin() >= record.files.size()) return std::nullopt;
+  return std::vector<std::size_t>(own.begin(), own.end());
+}
+
+// polarity, of all hits or of some of them. One sign for the whole channel would turn the other hits.
+Warning negative_force(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                       const HitsWithFinding& negative, const PointNames& names) {
+  const std::string down_to = fmt::format("is negative during the pulse, down to {:.4g} N", negative.least);
+  if (negative.hits.size() == accepted_hits(hits).size()) {
+    return with_remedy(
+        {"polarity",
+         fmt::format("the force of {} {}: the FRFs have the wrong sign", hit_list(negative.hits), down_to),
+         {"setup", "force_scale"}},
+        R"(state "sign": -1 for the force in the set-up, or remove it where it is stated; or )"
+        "give the scale of the force the other sign");
+  }
+  Warning warning{"polarity", fmt::format("the force of {} {}, and positive at all other hits: the FRFs have the wrong "
+                                          "sign there",
+                                          hits_at_points(hits, negative.hits, names), down_to)};
+  const auto files = files_of(record, hits, negative.hits);
+  if (!files) {
+    warning.options = {"reject_hit"};
+    return with_remedy(std::move(warning), "multiply the force of these hits by -1 in the data, or reject them");
+  }
+  warning.options = {"force_scale"};
+  const double usual = record.force.to_SI;
+  const std::string list = limited_list(files->size(), kMaxFilesInText,
+                                        [&](std::size_t i) { return short_file_name(record.files[(*files)[i]].path); });
+  return with_remedy(std::move(warning), fmt::format("state the scale of the force in N per stored unit, one value for "
+                                                     "each file: {:.6g} for {}, {:.6g} for the others",
+                                                     -usual, list, usual));
+}
+
 }  // namespace
 
 std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
@@ -99,15 +162,8 @@ std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vect
   auto poor = accepted_hits_with(hits, acquire::FindingCode::low_coherence, kPoorCoherence);
   std::erase_if(poor.hits, [&](std::size_t h) { return noisy.contains(h); });
   if (!poor.hits.empty()) out.push_back(disagreement(record, hits, poor.hits, names));
-  if (const auto negative = accepted_hits_with(hits, acquire::FindingCode::polarity); !negative.hits.empty()) {
-    out.push_back(with_remedy({"polarity",
-                               fmt::format("the force of {} is negative during the pulse, down to {:.4g} N: the FRFs "
-                                           "have the wrong sign",
-                                           hit_list(negative.hits), negative.least),
-                               {"setup", "force_scale"}},
-                              R"(state "sign": -1 for the force in the set-up, or remove it where it is stated; or )"
-                              "give the scale of the force the other sign"));
-  }
+  if (const auto negative = accepted_hits_with(hits, acquire::FindingCode::polarity); !negative.hits.empty())
+    out.push_back(negative_force(record, hits, negative, names));
   std::vector<double> peaks_N;
   for (const std::size_t h : accepted_hits(hits)) peaks_N.push_back(std::abs(hits[h].hit.peak_N));
   if (!peaks_N.empty() && median(peaks_N) > kMaxForce_N) {

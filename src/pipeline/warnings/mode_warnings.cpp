@@ -7,12 +7,14 @@
 
 #include "core/io/counted_words.hpp"
 #include "core/io/significant_digits.hpp"
+#include "core/math/statistics.hpp"
 #include "identify/select/crowded_fit.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
 constexpr double kHarmlessShift = 1e-6;       // of a frequency: 0.01 K changes one of steel as much
+constexpr double kMaxBesideDrift = 0.1;       // of the variance between points, for a drift that explains it
 constexpr double kVague = 0.5;                // half-power bandwidths: the ± of a mode that is hardly known
 constexpr double kMinJointResidual = 0.01;    // relative: below, the model's own approximations may cause it
 constexpr double kWorthNaming = 10;           // residual energy of the joint fit over the local fit's
@@ -28,6 +30,35 @@ std::string and_more(std::size_t count) {
   return count > kMaxListedEntries ? fmt::format(" and {} more", count - kMaxListedEntries) : "";
 }
 
+// The variance of the frequency between the points after the drift is taken off, over the variance before. Points weigh
+// by the square of the mode's motion there: near a node, noise moves the pole. 1 where too few points are known.
+double variance_beside_drift(const identify::Mode& mode, double change_per_hit, const std::map<int, double>& order) {
+  struct Point {
+    double weight = 0, freq = 0;  // relative to the mode's
+  };
+  std::map<int, Point> points;
+  for (const identify::Residue& residue : mode.residues) {
+    if (!residue.own_pole) continue;
+    Point& point = points[static_cast<int>(residue.point)];
+    point.weight += std::norm(residue.value);
+    point.freq = residue.own_pole->freq_Hz / mode.pole.freq_Hz - 1;
+  }
+  const auto variance = [&](double per_hit) {
+    double weights = 0, sum = 0, squares = 0;
+    for (const auto& [number, point] : points) {
+      const auto at = order.find(number);
+      if (at == order.end()) continue;
+      const double value = point.freq - per_hit * at->second;
+      weights += point.weight;
+      sum += point.weight * value;
+      squares += point.weight * value * value;
+    }
+    return weights > 0 ? squares / weights - std::pow(sum / weights, 2) : 0;
+  };
+  const double before = variance(0);
+  return before > 0 ? variance(change_per_hit) / before : 1;
+}
+
 }  // namespace
 
 std::vector<Warning> force_noise_warnings(const std::vector<identify::Mode>& modes) {
@@ -39,14 +70,35 @@ std::vector<Warning> force_noise_warnings(const std::vector<identify::Mode>& mod
       "analyse the records if they exist")};
 }
 
-std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& modes) {
+std::map<int, double> order_of_points(const std::vector<AnalysedHit>& hits) {
+  std::map<int, double> mean;
+  std::map<int, std::size_t> count;
+  double number = 0;
+  for (const std::size_t h : accepted_hits(hits)) {
+    double& of_point = mean[hits[h].point];
+    of_point += (number++ - of_point) / static_cast<double>(++count[hits[h].point]);
+  }
+  return mean;
+}
+
+std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& modes,
+                                           const std::map<int, double>& order) {
+  std::vector<double> drifts;
+  for (const identify::Mode& mode : modes) {
+    if (mode.drift) drifts.push_back(mode.drift->freq_change_per_hit);
+  }
+  const bool drifting = !drifts.empty();
+  const double usual_drift = median(std::move(drifts));
   std::string list;
   for (const identify::Mode& mode : modes) {
-    if (mode.freq_scatter_Hz > kHarmlessShift * mode.pole.freq_Hz)
-      list += fmt::format("{}{:.1f} Hz (by {:.2g} Hz)", separator(list), mode.pole.freq_Hz, mode.freq_scatter_Hz);
+    if (!(mode.freq_scatter_Hz > kHarmlessShift * mode.pole.freq_Hz)) continue;
+    const double per_hit = mode.drift ? mode.drift->freq_change_per_hit : usual_drift;
+    if (drifting && variance_beside_drift(mode, per_hit, order) < kMaxBesideDrift) continue;
+    list += fmt::format("{}{:.1f} Hz (by {:.2g} Hz)", separator(list), mode.pole.freq_Hz, mode.freq_scatter_Hz);
   }
   if (list.empty()) return {};
   return {with_remedy({"moving_modes", "natural frequencies differ from point to point: " + list +
+                                           (drifting ? ". The drift from hit to hit does not explain this" : "") +
                                            ". The means over the points are quoted, and their ± includes the "
                                            "scatter. Possible causes: temperature, the strength of the hits, a sensor "
                                            "that was moved"},
@@ -82,8 +134,8 @@ std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes
   }
   return {with_remedy(
       {"local_fits",
-       fmt::format("{} of {} modes keep their local fits, because all modes together leave more residual energy around "
-                   "them: {}.{}. Possible causes: a mode that is missing, frequencies or damping that change during "
+       fmt::format("around {} of {} modes, all modes together leave at least ten times the residual energy of local "
+                   "fits: {}.{}. Possible causes: a mode that is missing, frequencies or damping that change during "
                    "the record",
                    count, modes.size(), list, values),
        {"band", "start"}},

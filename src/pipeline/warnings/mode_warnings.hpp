@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "identify/model/mode.hpp"
 #include "identify/select/fitted_starts.hpp"
 #include "identify/start/unmodelled_peaks.hpp"
+#include "pipeline/hits/analysed_hit.hpp"
 #include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
@@ -14,8 +16,14 @@ namespace percuss::pipeline {
 /// force_noise_unknown: modes were fitted to FRFs that were given.
 std::vector<Warning> force_noise_warnings(const std::vector<identify::Mode>& modes);
 
-/// moving_modes: frequencies that differ from point to point.
-std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& modes);
+/// The mean number of each point's hits, by point, where the used hits of a test are numbered in their order.
+std::map<int, double> order_of_points(const std::vector<AnalysedHit>& hits);
+
+/// moving_modes: frequencies that differ from point to point, unless the drift over the order of the hits explains 90 %
+/// of the variance: `drifting` then names the cause. A mode without a drift of its own has the median of the others'.
+/// order  as order_of_points(); empty where the hits are not known
+std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& modes,
+                                           const std::map<int, double>& order = {});
 
 /// no_modes: no mode was found. `started`: the user stated starting frequencies.
 std::vector<Warning> no_modes_warnings(const std::vector<identify::Mode>& modes, std::pair<double, double> band_Hz,

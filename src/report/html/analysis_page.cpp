@@ -28,13 +28,15 @@ std::string frf_section(const std::string& summary) {
           page_plot("coherence", "Coherence over frequency, 0 to 1."));
 }
 
-std::string fit_section(const PageWarnings& warnings) {
-  return page_section(
-      "fit", "Fit of the modes",
-      page_paragraph("Measured FRFs against the FRFs synthesised from the modes. Triangles: peaks that no mode "
-                     "explains, with their level below the largest peak.") +
-          page_panel("fit", "Measured and synthesised frequency response of one point and channel.") +
-          warnings.beside(PagePart::fit));
+std::string fit_section(const pipeline::Analysis& analysis, const PageWarnings& warnings) {
+  const std::size_t others = analysis.fitted_modes().size() - analysis.modes().size();
+  return page_section("fit", "Fit of the modes",
+                      page_paragraph(fmt::format(
+                          "Measured FRFs against the FRFs synthesised from the modes{}. Triangles: peaks that no "
+                          "mode explains, with their level below the largest peak.",
+                          others > 0 ? fmt::format(" and the {} fitted ones that are not listed", others) : "")) +
+                          page_panel("fit", "Measured and synthesised frequency response of one point and channel.") +
+                          warnings.beside(PagePart::fit));
 }
 
 std::string indicator_section(const pipeline::Analysis& analysis) {
@@ -151,7 +153,7 @@ std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions&
   body += warnings.section();
   if (options.comparison != nullptr) body += comparison_section(*options.comparison);
   if (frfs) body += frf_section(summary);
-  if (fitted) body += fit_section(warnings);
+  if (fitted) body += fit_section(analysis, warnings);
   if (with_hits) body += hits_section(analysis, warnings);
   if (options.deflection != nullptr) body += deflection_section(analysis, *options.deflection);
   if (fitted) {

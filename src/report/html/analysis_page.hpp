@@ -23,7 +23,7 @@ std::string analysis_page(const pipeline::Analysis& analysis, const PageOptions&
 
 // Sections that other pages use, too.
 std::string frf_section(const std::string& summary);
-std::string fit_section(const PageWarnings& warnings);
+std::string fit_section(const pipeline::Analysis& analysis, const PageWarnings& warnings);
 std::string indicator_section(const pipeline::Analysis& analysis);
 std::string stabilisation_section(const PageWarnings& warnings);
 std::string hits_section(const pipeline::Analysis& analysis, const PageWarnings& warnings);

@@ -142,7 +142,7 @@ std::vector<std::size_t> drawn_lines(const acquire::LineRange& band, const std::
 Json fit_plot_json(const pipeline::Analysis& analysis, const pipeline::Survey* survey) {
   const identify::FrfDataset& set = analysis.fitted_frfs();
   const acquire::LineRange band = analysis.band_lines();
-  const auto& modes = analysis.modes();
+  const std::vector<identify::Mode> modes = analysis.fitted_modes();
   const std::vector<int> points = analysis.frf_points();
   std::vector<identify::UnmodelledPeak> peaks = analysis.unexplained_peaks();
   peaks.resize(std::min(peaks.size(), kMaxPeaks));

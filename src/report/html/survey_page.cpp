@@ -51,8 +51,8 @@ std::string survey_page(const pipeline::Survey& survey, const Provenance& proven
   if (possible) {
     data += "," + ascii_text(Json{{"fit", fit_plot_json(analysis, &survey)},
                                   {"indicator", indicator_plot_json(analysis, survey.indicator())}});
-    body +=
-        indicator_section(analysis) + frf_section(summary) + fit_section(warnings) + stabilisation_section(warnings);
+    body += indicator_section(analysis) + frf_section(summary) + fit_section(analysis, warnings) +
+            stabilisation_section(warnings);
   }
   if (with_hits) body += hits_section(analysis, warnings);
   body += method_section(analysis, {.modes = possible, .shapes_decide = possible && has_tube_shapes(survey)});

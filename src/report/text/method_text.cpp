@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/error.hpp"
@@ -127,22 +128,14 @@ void add_frfs(const pipeline::Analysis& analysis, Sentences& out) {
                   significant(lines.df_Hz(), 4)));
 }
 
-const char* effort_sentence(identify::Effort effort, bool all_local) {
-  if (effort == identify::Effort::best && all_local) {
-    return "A fit of all modes together to all lines of all FRFs was tried (effort best; (4.8) to (4.10)); every mode "
-           "keeps the fit over its own spectral lines ((4.2), (4.14)), which leaves less residual.";
-  }
-  switch (effort) {
-    case identify::Effort::quick:
-      return "Each peak was fitted over its own spectral lines (effort quick; (4.2), (4.14)).";
-    case identify::Effort::standard:
-      return "Modes with and without a peak were fitted over their own spectral lines (effort standard; (4.2), "
-             "(4.14)).";
-    case identify::Effort::best:
-      return "All modes were fitted together to all lines of all FRFs by maximum likelihood (effort best; (4.8) to "
-             "(4.10)).";
-  }
-  return "";
+// What the fit of all modes together gave.
+enum class JointOutcome { taken, worse, unsettled };
+
+JointOutcome joint_fit_of(const std::vector<identify::Mode>& modes) {
+  const auto all = [&](const auto& which) { return !modes.empty() && std::all_of(modes.begin(), modes.end(), which); };
+  if (all([](const identify::Mode& mode) { return std::isinf(mode.joint_misfit); })) return JointOutcome::unsettled;
+  return all([](const identify::Mode& mode) { return mode.joint_misfit > 0; }) ? JointOutcome::worse
+                                                                               : JointOutcome::taken;
 }
 
 // Which modes the fit of all modes together does not describe.
@@ -222,22 +215,24 @@ void add_modes(const pipeline::Analysis& analysis, Sentences& out, bool shapes_d
                             options.band_Hz ? "" : ", the band that the hammer excited (1.5)"));
   if (analysis.given_frfs() != nullptr)
     out.back() = fmt::format("Modes were sought from {} to {} Hz.", hertz_text(low_Hz), hertz_text(high_Hz));
-  const bool all_local =
-      !analysis.modes().empty() && std::all_of(analysis.modes().begin(), analysis.modes().end(),
-                                               [](const identify::Mode& mode) { return mode.joint_misfit > 0; });
-  out.emplace_back(effort_sentence(options.modes.effort, all_local));
-  if (options.modes.modes)
-    out.push_back(fmt::format("The user limited the modes to the {} clearest.", *options.modes.modes));
-  if (!options.modes.start_Hz.empty()) {
-    out.push_back(fmt::format("The user gave {} to fit from; no others were sought.",
-                              options.modes.start_Hz.size() == 1
-                                  ? "1 frequency"
-                                  : fmt::format("{} frequencies", options.modes.start_Hz.size())));
-  }
   const auto& modes = analysis.modes();
+  if (!options.modes.start_Hz.empty()) {
+    const std::size_t count = options.modes.start_Hz.size();
+    out.push_back(fmt::format("The user chose the modes at {} {}.", count, count == 1 ? "frequency" : "frequencies"));
+  }
+  if (options.modes.modes)
+    out.push_back(fmt::format("The user limited the list to the clearest {}.", counted(*options.modes.modes, "mode")));
+  const std::size_t others = analysis.fitted_modes().size() - modes.size();
+  if (others > 0)
+    out.push_back(fmt::format("{} took part in the fit and {} not listed.", counted(others, "other mode"),
+                              others == 1 ? "is" : "are"));
+  out.emplace_back(effort_sentence(options.modes.effort, modes));
   for (std::string& sentence : fit_sentences(modes)) out.push_back(std::move(sentence));
   add_classes(analysis, out, shapes_decide);
-  if (!modes.empty()) out.emplace_back("The fit was judged by FRFs synthesised from the modes, with their FRAC (5.5).");
+  if (!modes.empty()) {
+    out.push_back(fmt::format("The fit was judged by FRFs synthesised from {}, with their FRAC (5.5).",
+                              others > 0 ? "all fitted modes" : "the modes"));
+  }
 }
 
 std::string cell(const std::optional<double>& value, double factor, const char* unit) {
@@ -245,6 +240,31 @@ std::string cell(const std::optional<double>& value, double factor, const char* 
 }
 
 }  // namespace
+
+const char* effort_sentence(identify::Effort effort, const std::vector<identify::Mode>& modes) {
+  const JointOutcome joint = joint_fit_of(modes);
+  if (effort == identify::Effort::best && joint == JointOutcome::worse) {
+    return "A fit of all modes together to all lines of all FRFs was tried (effort best; (4.8) to (4.10)). Around each "
+           "mode, it leaves more residual than a fit over the mode's own spectral lines ((4.2), (4.14)): all modes "
+           "keep "
+           "these fits.";
+  }
+  if (effort == identify::Effort::best && joint == JointOutcome::unsettled) {
+    return "A fit of all modes together to all lines of all FRFs was tried (effort best; (4.8) to (4.10)) and did not "
+           "converge: all modes keep the fits over their own spectral lines ((4.2), (4.14)).";
+  }
+  switch (effort) {
+    case identify::Effort::quick:
+      return "Each peak was fitted over its own spectral lines (effort quick; (4.2), (4.14)).";
+    case identify::Effort::standard:
+      return "Modes with and without a peak were fitted over their own spectral lines (effort standard; (4.2), "
+             "(4.14)).";
+    case identify::Effort::best:
+      return "All modes were fitted together to all lines of all FRFs by maximum likelihood (effort best; (4.8) to "
+             "(4.10)).";
+  }
+  return "";
+}
 
 std::vector<std::string> fit_sentences(const std::vector<identify::Mode>& modes) {
   Sentences out;

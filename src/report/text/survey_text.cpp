@@ -145,7 +145,10 @@ std::string frac_text(const pipeline::Survey& survey) {
                                         return a_strong != b_strong ? a_strong : a.frac < b.frac;
                                       });
   const auto poor = std::count_if(survey.synthesis().begin(), survey.synthesis().end(), pipeline::poorly_explained);
-  return fmt::format("FRFs synthesised from the modes: lowest FRAC of the strong FRFs {:.4f}{}\n", worst->frac,
+  const pipeline::Analysis& analysis = survey.analysis();
+  const std::size_t others = analysis.fitted_modes().size() - analysis.modes().size();
+  return fmt::format("FRFs synthesised from the modes{}: lowest FRAC of the strong FRFs {:.4f}{}\n",
+                     others > 0 ? fmt::format(" and the {} not listed", others) : "", worst->frac,
                      poor > 0 ? fmt::format("; {} below 0.99", poor) : "");
 }
 

@@ -87,4 +87,52 @@ TEST(HitWarnings, SuggestToSeparateFilesThatAreHitsOfOnePoint) {
   EXPECT_THAT(disagreement_in(test).message, testing::EndsWith("reject this hit if it was elsewhere"));
 }
 
+// The same survey, where the force of the stated hits is negative.
+Warning polarity_in(const std::set<std::size_t>& negative, bool one_file = false) {
+  DisagreeingTest test = survey_with({});
+  test.record.force.to_SI = 10;
+  for (const std::size_t h : negative)
+    test.hits[h].hit.findings.push_back({.code = acquire::FindingCode::polarity, .value = -100.0 - 1.0 * (h == 3)});
+  if (one_file) {
+    test.record.files.resize(1);
+    for (acquire::RowInfo& row : test.record.rows) row.file = 0;
+  }
+  const PointNames names(test.record, test.record.points());
+  for (const Warning& warning : hit_warnings(test.record, test.hits, names)) {
+    if (warning.code == "polarity") return warning;
+  }
+  return {};
+}
+
+TEST(HitWarnings, TurnTheWholeForceOnlyWhereAllHitsAreNegative) {
+  const Warning all = polarity_in({0, 1, 2, 3, 4, 5, 6, 7, 8});
+  EXPECT_THAT(all.message, testing::HasSubstr("is negative during the pulse, down to -101 N: the FRFs have the wrong"));
+  EXPECT_THAT(all.remedy, testing::HasSubstr("\"sign\": -1"));
+  EXPECT_THAT(all.options, testing::ElementsAre("setup", "force_scale"));
+}
+
+// One sign for the channel would turn the hits of the other points.
+TEST(HitWarnings, TurnTheFilesOfThePointsWhoseForceIsNegative) {
+  const Warning one = polarity_in({3, 4, 5});
+  EXPECT_EQ(
+      one.message,
+      "the force of the hits at point 2 (P2.csv) is negative during the pulse, down to -101 N, and positive at all "
+      "other hits: the FRFs have the wrong sign there; state the scale of the force in N per stored unit, one "
+      "value for each file: -10 for P2.csv, 10 for the others");
+  EXPECT_THAT(one.options, testing::ElementsAre("force_scale"));
+  EXPECT_THAT(polarity_in({0, 1, 2, 3, 4, 5}).message,
+              testing::AllOf(testing::HasSubstr("the hits at points 1 (P1.csv), 2 (P2.csv) is"),
+                             testing::EndsWith("-10 for P1.csv, P2.csv, 10 for the others")));
+}
+
+TEST(HitWarnings, LeaveOutNegativeHitsThatShareAFileWithOthers) {
+  for (const bool one_file : {false, true}) {
+    const Warning some = polarity_in({3, 8}, one_file);
+    EXPECT_THAT(some.message, testing::HasSubstr(one_file ? "hit 4 at point 1, hit 9 at point 2 is"
+                                                          : "hit 4 at point 2 (P2.csv), hit 9 at point 3 (P3.csv) is"));
+    EXPECT_EQ(some.remedy, "multiply the force of these hits by -1 in the data, or reject them");
+    EXPECT_THAT(some.options, testing::ElementsAre("reject_hit"));
+  }
+}
+
 }  // namespace percuss::pipeline::hit_warnings_test

@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace percuss::pipeline::mode_warnings_test {
 
@@ -37,6 +40,70 @@ TEST(LocalFitWarnings, BlameNothingWhereTheJointFitDidNotConverge) {
   EXPECT_THAT(message, HasSubstr("valid within their ±"));
   EXPECT_THAT(message, Not(HasSubstr("missing")));
   EXPECT_THAT(local_fit_warnings(misfitting_modes(3)).at(0).message, HasSubstr("Possible causes: a mode that is"));
+}
+
+TEST(LocalFitWarnings, CountTheModesThatTheJointFitDescribesFarWorse) {
+  std::vector<identify::Mode> modes = misfitting_modes(3);
+  modes[1].joint_misfit = 2;  // keeps its local fit, too
+  EXPECT_THAT(local_fit_warnings(modes).at(0).message,
+              HasSubstr("around 2 of 3 modes, all modes together leave at least ten times the residual energy"));
+}
+
+// Two modes at ten points of three hits each, in the order of the points. The frequency at each point is that of
+// `change`, relative to the mode's, at the mean number of the point's hits.
+struct ScatteringTest {
+  std::vector<identify::Mode> modes;
+  std::vector<AnalysedHit> hits;
+};
+
+ScatteringTest scattering_test(const std::function<double(double hit)>& change) {
+  constexpr int kPoints = 10, kHits = 3;
+  ScatteringTest out{.modes = std::vector<identify::Mode>(2), .hits = {}};
+  for (int p = 0; p < kPoints; ++p)
+    out.hits.insert(out.hits.end(), kHits, {.hit = {.peak_N = 100}, .point = p, .accepted = true});
+  for (std::size_t m = 0; m < 2; ++m) {
+    identify::Mode& mode = out.modes[m];
+    mode.pole = {.freq_Hz = 100.0 * static_cast<double>(m + 1), .damping_ratio = 0.01};
+    mode.freq_scatter_Hz = 1e-4 * mode.pole.freq_Hz;
+    for (int p = 0; p < kPoints; ++p) {
+      identify::Residue& residue = mode.residues.emplace_back();
+      residue.point = static_cast<std::size_t>(p);
+      residue.value = p == 4 ? 1e-3 : 1;  // near a node
+      residue.own_pole = mode.pole;
+      residue.own_pole->freq_Hz *= 1 + (p == 4 ? 5e-4 : change(kHits * p + 1));
+    }
+  }
+  return out;
+}
+
+// Only the first mode has a clear drift of its own.
+std::vector<Warning> warnings_of(ScatteringTest test, std::optional<double> drift) {
+  if (drift) test.modes[0].drift = identify::DriftTrend{.freq_change_per_hit = *drift, .std = 0.01 * *drift};
+  return freq_scatter_warnings(test.modes, order_of_points(test.hits));
+}
+
+TEST(FreqScatterWarnings, LeaveTheCauseToADriftThatExplainsTheScatter) {
+  constexpr double kDrift = 1e-5;
+  const ScatteringTest drifting = scattering_test([](double hit) { return kDrift * (hit - 14.5); });
+  EXPECT_TRUE(warnings_of(drifting, kDrift).empty());
+  EXPECT_TRUE(warnings_of(drifting, 1.05 * kDrift).empty());
+  EXPECT_THAT(warnings_of(drifting, std::nullopt).at(0).message, HasSubstr("100.0 Hz (by 0.01 Hz), 200.0 Hz"));
+  EXPECT_FALSE(warnings_of(drifting, -kDrift).empty());
+  EXPECT_FALSE(freq_scatter_warnings(drifting.modes).empty());  // hits that are not known
+}
+
+// A line explains three quarters of the variance of a step.
+TEST(FreqScatterWarnings, NameASensorThatWasMovedBesideADrift) {
+  const ScatteringTest moved = scattering_test([](double hit) { return hit < 15 ? -1e-4 : 1e-4; });
+  EXPECT_THAT(warnings_of(moved, 1e-5).at(0).message,
+              testing::AllOf(HasSubstr("200.0 Hz (by 0.02 Hz). The drift from hit to hit does not explain this"),
+                             HasSubstr("a sensor that was moved")));
+}
+
+TEST(FreqScatterWarnings, NumberTheUsedHitsInTheirOrder) {
+  std::vector<AnalysedHit> hits(5);
+  for (std::size_t h = 0; h < hits.size(); ++h) hits[h] = {.point = h < 3 ? 7 : 2, .accepted = h != 1};
+  EXPECT_THAT(order_of_points(hits), testing::ElementsAre(std::pair(2, 2.5), std::pair(7, 0.5)));
 }
 
 TEST(NoModesWarnings, SayThatTheBandOrTheStartsHoldNoMode) {

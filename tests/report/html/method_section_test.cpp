@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -93,6 +94,33 @@ TEST(MethodSentences, SayHowTheHitsWereFound) {
     EXPECT_EQ(sentence(hits, hits > 1, 20),
               found + "where the force differs from its baseline by 20 N or more, as the user stated" + used);
   }
+}
+
+TEST(EffortSentence, SaysWhetherTheJointFitWasTaken) {
+  constexpr auto kBest = identify::Effort::best;
+  std::vector<identify::Mode> modes(3);
+  EXPECT_THAT(effort_sentence(kBest, modes), testing::StartsWith("All modes were fitted together"));
+  for (identify::Mode& mode : modes) mode.joint_misfit = 1.5;
+  EXPECT_THAT(effort_sentence(kBest, modes), HasSubstr("leaves more residual than a fit over the mode's own"));
+  modes[2].joint_misfit = 0;
+  EXPECT_THAT(effort_sentence(kBest, modes), testing::StartsWith("All modes were fitted together"));
+  for (identify::Mode& mode : modes) mode.joint_misfit = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(effort_sentence(kBest, modes), HasSubstr("did not converge: all modes keep"));
+  EXPECT_THAT(effort_sentence(identify::Effort::quick, modes), testing::StartsWith("Each peak was fitted"));
+}
+
+TEST(MethodSentences, SayThatOtherModesTookPartInTheFit) {
+  const acquire::Record record = synth::synthesise(test::bending_and_hoop_spec()).record;
+  const auto method = [&](identify::IdentifyOptions modes) {
+    const pipeline::Analysis analysis(record, {.band_Hz = std::pair{60.0, 3200.0}, .modes = modes, .threads = 1});
+    return method_sentences(analysis, {});
+  };
+  EXPECT_THAT(method({.start_Hz = {200}}),
+              testing::AllOf(testing::Contains("The user chose the modes at 1 frequency."),
+                             testing::Contains("1 other mode took part in the fit and is not listed."),
+                             testing::Contains(HasSubstr("synthesised from all fitted modes"))));
+  EXPECT_THAT(method({.modes = 1}), testing::Contains("The user limited the list to the clearest 1 mode."));
+  EXPECT_THAT(method({}), testing::Not(testing::Contains(HasSubstr("took part"))));
 }
 
 TEST(FitSentences, NameTheExceptionsAndThePartsOfTheDeviations) {
