@@ -5,6 +5,8 @@
 #include <limits>
 #include <tuple>
 
+#include "metrics/common_orders.hpp"
+
 namespace percuss::metrics {
 namespace {
 
@@ -49,6 +51,7 @@ std::vector<ModePair> by_shape(const ComparedDocument& a, const ComparedDocument
     for (std::size_t k = 0; k < b.modes.size(); ++k) {
       if (!frequencies_match(a.modes[i], b.modes[k], options.furthest)) continue;
       ModePair pair = pair_of(a, b, i, k);
+      pair.by = PairedBy::shape;
       if (pair.mac && pair.mac->value >= options.min_mac) all.push_back(pair);
     }
   }
@@ -62,23 +65,33 @@ std::vector<ModePair> by_shape(const ComparedDocument& a, const ComparedDocument
   return chosen;
 }
 
+std::vector<std::size_t> ascending(const ComparedDocument& document, std::vector<std::size_t> modes) {
+  std::stable_sort(modes.begin(), modes.end(),
+                   [&](std::size_t x, std::size_t y) { return document.modes[x].freq_Hz < document.modes[y].freq_Hz; });
+  return modes;
+}
+
+bool is_paired(const std::vector<ModePair>& pairs, std::size_t ModePair::*side, std::size_t mode) {
+  return std::any_of(pairs.begin(), pairs.end(), [&](const ModePair& pair) { return pair.*side == mode; });
+}
+
 // The modes that are not in `pairs`, ascending by frequency.
 std::vector<std::size_t> unpaired_ascending(const ComparedDocument& document, const std::vector<ModePair>& pairs,
                                             std::size_t ModePair::*side) {
-  std::vector<std::size_t> order;
+  std::vector<std::size_t> modes;
   for (std::size_t m = 0; m < document.modes.size(); ++m) {
-    const auto holds = [&](const ModePair& pair) { return pair.*side == m; };
-    if (std::none_of(pairs.begin(), pairs.end(), holds)) order.push_back(m);
+    if (!is_paired(pairs, side, m)) modes.push_back(m);
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t x, std::size_t y) { return document.modes[x].freq_Hz < document.modes[y].freq_Hz; });
-  return order;
+  return ascending(document, std::move(modes));
 }
 
-// Pairs of modes that are not in `chosen` and whose shapes cannot be compared. Dynamic programming over both lists in
-// ascending order: best[i][k] has the most pairs among the first i and k modes, then the smallest sum of |ln(f_b/f_a)|.
+// Pairs of the modes `rows` of a and `columns` of b, both ascending by frequency, for which may_pair(x, y) holds.
+// Dynamic programming: best[i][k] has the most pairs among the first i and k modes, then the smallest sum of
+// |ln(f_b/f_a)|.
+template <class MayPair>
 std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocument& b,
-                                   const std::vector<ModePair>& chosen, const PairOptions& options) {
+                                   const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns,
+                                   const MayPair& may_pair) {
   struct Best {
     std::size_t pairs = 0;
     double apart = 0;
@@ -86,12 +99,10 @@ std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocu
       return pairs > other.pairs || (pairs == other.pairs && apart < other.apart);
     }
   };
-  const auto rows = unpaired_ascending(a, chosen, &ModePair::a);
-  const auto columns = unpaired_ascending(b, chosen, &ModePair::b);
   std::vector<std::vector<Best>> best(rows.size() + 1, std::vector<Best>(columns.size() + 1));
   const auto together = [&](std::size_t i, std::size_t k) -> std::optional<Best> {
     const ComparedMode &x = a.modes[rows[i]], &y = b.modes[columns[k]];
-    if (!frequencies_match(x, y, options.furthest) || mac_between(x, y)) return std::nullopt;
+    if (!may_pair(x, y)) return std::nullopt;
     const Best& before = best[i][k];
     return Best{.pairs = before.pairs + 1, .apart = before.apart + std::abs(std::log(y.freq_Hz / x.freq_Hz))};
   };
@@ -102,7 +113,7 @@ std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocu
       if (const auto pair = together(i, k); pair && pair->better(here)) here = *pair;
     }
   }
-  std::vector<ModePair> pairs;
+  std::vector<ModePair> pairs;  // from above
   for (std::size_t i = rows.size(), k = columns.size(); i > 0 && k > 0;) {
     const Best& here = best[i][k];
     const auto same = [&](const Best& other) { return other.pairs == here.pairs && other.apart == here.apart; };
@@ -117,12 +128,53 @@ std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocu
   return pairs;
 }
 
-// Whether two pairs by frequency are exchangeable: see pair_modes().
-bool may_be_exchanged(const ComparedDocument& a, const ComparedDocument& b, const ModePair& first,
-                      const ModePair& second, double furthest) {
+// Pairs of one family and order, without the modes in `chosen`.
+std::vector<ModePair> by_order(const ComparedDocument& a, const ComparedDocument& b, const CommonOrders& orders,
+                               const std::vector<ModePair>& chosen, const PairOptions& options) {
+  std::vector<ModePair> pairs;
+  const auto near = [&](const ComparedMode& x, const ComparedMode& y) {
+    return orders.hold(x, y) && std::abs(y.freq_Hz - x.freq_Hz) <= options.furthest_of_orders * x.freq_Hz &&
+           !mac_between(x, y);
+  };
+  const auto add = [&](ModePair pair) {
+    if (is_paired(chosen, &ModePair::a, pair.a) || is_paired(chosen, &ModePair::b, pair.b)) return;
+    pair.by = PairedBy::order;
+    pairs.push_back(std::move(pair));
+  };
+  for (const auto& [family, common] : orders.common()) {
+    for (const int order : common) {
+      const auto of_a = modes_of_order(a, family, order), of_b = modes_of_order(b, family, order);
+      if (of_a.size() == of_b.size()) {
+        for (std::size_t i = 0; i < of_a.size(); ++i) {
+          if (near(a.modes[of_a[i]], b.modes[of_b[i]])) add(pair_of(a, b, of_a[i], of_b[i]));
+        }
+        continue;
+      }
+      const auto found = by_frequency(a, b, of_a, of_b, [&](const ComparedMode& x, const ComparedMode& y) {
+        return x.second == y.second && near(x, y);
+      });
+      for (const ModePair& pair : found) add(pair);
+    }
+  }
+  return pairs;
+}
+
+// Pairs of modes that are not in `chosen`, whose shapes cannot be compared, and whose orders do not tell.
+std::vector<ModePair> of_the_rest(const ComparedDocument& a, const ComparedDocument& b, const CommonOrders& orders,
+                                  const std::vector<ModePair>& chosen, const PairOptions& options) {
+  return by_frequency(a, b, unpaired_ascending(a, chosen, &ModePair::a), unpaired_ascending(b, chosen, &ModePair::b),
+                      [&](const ComparedMode& x, const ComparedMode& y) {
+                        return frequencies_match(x, y, options.furthest) && !orders.hold(x, y) &&
+                               !orders.tell_apart(x, y) && !mac_between(x, y);
+                      });
+}
+
+// Whether two pairs are exchangeable: see pair_modes().
+bool may_be_exchanged(const ComparedDocument& a, const ComparedDocument& b, const CommonOrders& orders,
+                      const ModePair& first, const ModePair& second, double furthest) {
   const auto crosswise = [&](const ModePair& one, const ModePair& other) {
     const ComparedMode &x = a.modes[one.a], &y = b.modes[other.b];
-    return frequencies_match(x, y, furthest) && !mac_between(x, y);
+    return frequencies_match(x, y, furthest) && !orders.tell_apart(x, y) && !mac_between(x, y);
   };
   if (first.mac || second.mac || !crosswise(first, second) || !crosswise(second, first)) return false;
   const auto apart_Hz = [](const ComparedMode& x, const ComparedMode& y) { return std::abs(x.freq_Hz - y.freq_Hz); };
@@ -157,6 +209,18 @@ std::optional<ComparedDeflection> at_point(const ComparedDocument& document, int
 
 }  // namespace
 
+const char* name_of(PairedBy by) {
+  switch (by) {
+    case PairedBy::shape:
+      return "shape";
+    case PairedBy::order:
+      return "order";
+    case PairedBy::frequency:
+      return "frequency";
+  }
+  return "";
+}
+
 std::optional<identify::Mac> mac_between(const ComparedMode& a, const ComparedMode& b) {
   identify::ShapeValues first, second;
   for (const auto& [place, component] : a.shape) {
@@ -171,23 +235,34 @@ std::optional<identify::Mac> mac_between(const ComparedMode& a, const ComparedMo
   return mac(first, second);
 }
 
+std::vector<std::size_t> modes_of_order(const ComparedDocument& document, const std::string& family, int order) {
+  std::vector<std::size_t> modes;
+  for (std::size_t m = 0; m < document.modes.size(); ++m) {
+    const ComparedMode& mode = document.modes[m];
+    if (mode.family == family && mode.order == order && mode.freq_Hz > 0) modes.push_back(m);
+  }
+  return ascending(document, std::move(modes));
+}
+
 PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options) {
-  PairedModes out{.pairs = by_shape(a, b, options)};
-  const auto others = by_frequency(a, b, out.pairs, options);
-  out.pairs.insert(out.pairs.end(), others.begin(), others.end());
+  const CommonOrders orders(a, b, options.furthest_of_orders);
+  PairedModes out{.pairs = by_shape(a, b, options), .doubted_orders = orders.doubted()};
+  const auto add = [&](const std::vector<ModePair>& pairs) {
+    out.pairs.insert(out.pairs.end(), pairs.begin(), pairs.end());
+  };
+  add(by_order(a, b, orders, out.pairs, options));
+  add(of_the_rest(a, b, orders, out.pairs, options));
   std::sort(out.pairs.begin(), out.pairs.end(), [](const ModePair& x, const ModePair& y) { return x.a < y.a; });
   for (ModePair& pair : out.pairs) {
     for (const ModePair& other : out.pairs) {
-      if (other.a != pair.a && may_be_exchanged(a, b, pair, other, options.furthest))
+      if (other.a != pair.a && may_be_exchanged(a, b, orders, pair, other, options.furthest))
         pair.exchangeable_a.push_back(other.a);
     }
   }
   const auto rest = [&](const ComparedDocument& document, std::size_t ModePair::*side) {
     std::vector<std::size_t> left;
     for (std::size_t m = 0; m < document.modes.size(); ++m) {
-      const bool paired =
-          std::any_of(out.pairs.begin(), out.pairs.end(), [&](const ModePair& pair) { return pair.*side == m; });
-      if (!paired && document.modes[m].freq_Hz > 0) left.push_back(m);
+      if (!is_paired(out.pairs, side, m) && document.modes[m].freq_Hz > 0) left.push_back(m);
     }
     return left;
   };

@@ -22,6 +22,8 @@ struct ComparedMode {
   double damping_std = 0;  // 0: not stated
   std::string family;      // "bending", "hoop"; "" or "unknown": any
   bool second = false;     // second peak of a split mode: it pairs only with second peaks and unclassified modes
+  int order = 0;           // within the family, from 1; 0: not stated
+  double confidence = 0;   // of the family
   struct Component {
     std::complex<double> value;
     double std = 0;
@@ -44,34 +46,52 @@ struct ComparedDocument {
   std::vector<ComparedDeflection> deflections;
 };
 
-struct PairOptions {
-  double furthest = 0.25;  // largest difference of frequency, relative to the first document's
-  double min_mac = 0.6;    // smallest MAC, where both modes have shapes
+/// The modes of one family and order in a document (3a, 3b), ascending by frequency. Modes of 0 Hz are left out.
+std::vector<std::size_t> modes_of_order(const ComparedDocument& document, const std::string& family, int order);
+
+/// Orders of a family that contradict the frequencies: all from `from` on.
+struct DoubtedOrders {
+  std::string family;
+  int from = 0;
 };
 
+struct PairOptions {
+  double furthest = 0.25;           // largest difference of frequency, relative to the first document's
+  double furthest_of_orders = 0.5;  // likewise, of modes whose equal orders hold
+  double min_mac = 0.6;             // smallest MAC, where both modes have shapes
+};
+
+/// What paired two modes.
+enum class PairedBy { shape, order, frequency };
+/// "shape", "order" or "frequency".
+const char* name_of(PairedBy by);
+
 struct ModePair {
-  std::size_t a = 0, b = 0;       // indices of the modes
+  std::size_t a = 0, b = 0;  // indices of the modes
+  PairedBy by = PairedBy::frequency;
   double difference_percent = 0;  // of b relative to a
   std::optional<double> difference_std_percent;
   std::optional<double> damping_difference_percent{};  // where both state a damping ratio above zero
   std::optional<double> damping_difference_std_percent{};
-  std::optional<identify::Mac> mac{};         // nothing: the modes are paired by frequency
-  std::vector<std::size_t> exchangeable_a{};  // modes of other pairs whose partner may be b instead; ascending
+  std::optional<identify::Mac> mac{};         // where both modes have shapes
+  std::vector<std::size_t> exchangeable_a{};  // modes of other pairs by frequency, whose partner may be b; ascending
 };
 
 struct PairedModes {
   std::vector<ModePair> pairs;  // ascending by a
   std::vector<std::size_t> unpaired_a, unpaired_b;
+  std::vector<DoubtedOrders> doubted_orders;
 };
 
-/// Pairs the modes of two documents. Only modes whose frequencies differ by at most PairOptions::furthest pair. Of
-/// these, two modes with shapes at three common places or more pair by shape only, the best MAC first. The remaining
-/// modes whose shapes cannot be compared pair by frequency, in ascending order: the number of pairs is maximised, then
-/// the sum of |ln(f_b/f_a)| is minimised. A bending mode never pairs with a hoop mode. Modes of 0 Hz (rigid-body modes)
-/// are left out.
-/// Pairing by frequency exchanges two modes that crossed. Two pairs by frequency are therefore named as exchangeable
-/// (exchangeable_a) if their modes could also pair crosswise, and if the two modes of one document lie no further apart
-/// than the two modes of one of the pairs.
+/// Pairs the modes of two documents. Only modes whose frequencies differ by at most PairOptions::furthest pair, or
+/// furthest_of_orders by order. Two modes with shapes at three common places or more pair by shape only, the best MAC
+/// first. Modes whose shapes cannot be compared pair by family and order where CommonOrders holds: equal orders, and of
+/// two peaks of one order (3a and 3b) the lower with the lower. Where one document has more peaks of an order, the
+/// split mode's first peak pairs, else the nearest. The remaining modes pair by frequency, in ascending order: the
+/// number of pairs is maximised, then the sum of |ln(f_b/f_a)| is minimised. A bending mode never pairs with a hoop
+/// mode. Modes of 0 Hz (rigid-body modes) are left out. Two modes that crossed are exchanged by their frequencies,
+/// which cannot show it. Two pairs that are not by shape are named as exchangeable where their modes may pair
+/// crosswise, and if the two modes of one document lie no further apart than the two modes of one of the pairs.
 PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options = {});
 
 /// The MAC of two modes at their common places; nothing for fewer than three.

@@ -121,7 +121,7 @@ class Analysis {
   /// Each mode fitted to each accepted hit alone: repeatability, drift, dependence on the force.
   const std::vector<HitMode>& modes_per_hit() const;
   /// The residues of modes() in each hit, [modes][hits]. Not kept: each call computes them. Points are indices into
-  /// frf_points(). Empty for FRFs that were given, and for fewer than two hits that can be compared.
+  /// frf_points(), hits into hits(). Empty for FRFs that were given, and for fewer than two hits that can be compared.
   std::vector<std::vector<ModeInHit>> residues_per_hit() const;
   /// The stabilisation diagram of fitted_frfs(), poles within the band. The modes do not need it.
   const identify::Stabilisation& stabilisation() const;

@@ -208,6 +208,9 @@ std::vector<std::vector<ModeInHit>> Analysis::residues_per_hit() const {
   const identify::FrfDataset& set = fitted_frfs();
   auto out = modes_in_hits(set, single_hits(set, from, used), with_point_indices(std::move(all), frf_points()));
   if (out.empty()) return out;
+  for (std::vector<ModeInHit>& mode : out) {
+    for (ModeInHit& hit : mode) hit.hit = used[hit.hit];
+  }
   out.resize(out.size() - unlisted_modes_.size());
   out.erase(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(margin_modes_.size()));
   return out;

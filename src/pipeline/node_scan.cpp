@@ -6,13 +6,16 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
 #include "acquire/geometry/geometry.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "identify/shapes/scan_outliers.hpp"
 #include "identify/shapes/scan_scatter.hpp"
+#include "pipeline/warnings/scan_warnings.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -55,11 +58,7 @@ MeasuredPoints measured_points(const Analysis& analysis, const ScanPositions& po
       missing += fmt::format("{}{:.4g} in", missing.empty() ? "" : ", ", position_m / kInch_m);
     }
   }
-  if (!missing.empty()) {
-    warnings.push_back(with_remedy(
-        {"missing_position", "no usable hit at " + missing + ": the nodes are found without these positions"},
-        "repeat the hits there"));
-  }
+  if (!missing.empty()) warnings.push_back(missing_positions(missing));
   return measured;
 }
 
@@ -86,7 +85,7 @@ std::vector<std::vector<identify::AmplitudeOfHit>> amplitudes_of(const Analysis&
     const double position_m = measured.position_m[static_cast<std::size_t>(at - measured.point.begin())];
     const auto place = std::find(shape.position_m.begin(), shape.position_m.end(), position_m);
     if (place == shape.position_m.end() || hit.residues.size() != factors.size()) continue;
-    identify::AmplitudeOfHit one{.power = hit.power};
+    identify::AmplitudeOfHit one{.power = hit.power, .hit = hit.hit};
     double noise2 = 0;
     for (const identify::HitResidue& residue : hit.residues) {
       const Complex factor = factors[mode.residues[residue.residue].channel];
@@ -99,10 +98,9 @@ std::vector<std::vector<identify::AmplitudeOfHit>> amplitudes_of(const Analysis&
   return out;
 }
 
-// [shown] the shapes along the scan. If the hits scatter about their places, the scatter of all points and modes
-// together gives the standard deviations, because two or three hits do not determine the scatter of one point.
-std::vector<identify::ScanShape> shapes_of(const Analysis& analysis, const std::vector<std::size_t>& shown,
-                                           const MeasuredPoints& measured) {
+// The shapes along the scan, and the amplitudes of the hits.
+std::vector<identify::HitsAlongScan> hits_along_scan(const Analysis& analysis, const std::vector<std::size_t>& shown,
+                                                     const MeasuredPoints& measured) {
   std::vector<identify::HitsAlongScan> modes;
   const auto hits = analysis.residues_per_hit();
   for (const std::size_t m : shown) {
@@ -110,11 +108,26 @@ std::vector<identify::ScanShape> shapes_of(const Analysis& analysis, const std::
     modes.push_back({.shape = identify::shape_along(mode, measured.point, measured.position_m), .hits = {}});
     if (m < hits.size()) modes.back().hits = amplitudes_of(analysis, mode, hits[m], measured, modes.back().shape);
   }
+  return modes;
+}
+
+// The shapes with their standard deviations. If the hits scatter about their places, the scatter of all points and modes
+// together gives the standard deviations, because two or three hits do not determine the scatter of one point.
+std::vector<identify::ScanShape> shapes_of(const std::vector<identify::HitsAlongScan>& modes) {
   const auto scatter = identify::scatter_along_scan(modes);
   std::vector<identify::ScanShape> shapes;
   for (const identify::HitsAlongScan& mode : modes)
     shapes.push_back(scatter ? identify::with_scatter(mode, *scatter) : mode.shape);
   return shapes;
+}
+
+void add_hit_warnings(const Analysis& analysis, const std::vector<identify::HitsAlongScan>& modes,
+                      std::vector<Warning>& warnings) {
+  const auto& frfs = analysis.frfs();
+  const bool one_each = std::all_of(frfs.begin(), frfs.end(), [](const auto& one) { return one.frf.averages == 1; });
+  if (analysis.given_frfs() == nullptr && one_each && !modes.empty()) warnings.push_back(one_hit_per_position());
+  const auto outliers = identify::scan_outliers(modes);
+  if (!outliers.empty()) warnings.push_back(misplaced_hits(outliers, modes.front().shape.position_m));
 }
 
 // Distances of the points from the first one by the record's geometry; nothing where it does not place every point.
@@ -192,17 +205,56 @@ std::optional<std::vector<double>> along_an_axis(const std::vector<std::array<do
   return out;
 }
 
+InputError two_points_at(double position_m, const std::string& where) {
+  return InputError(fmt::format("two points of the scan lie at {:.6g} in", position_m / kInch_m), where,
+                    "state a position of its own for each point", {"positions"});
+}
+
+// The first position that is stated again.
+std::size_t repeated_place(const ScanPositions& positions) {
+  std::set<std::size_t> known;
+  const auto again = std::find_if(positions.places.begin(), positions.places.end(),
+                                  [&](std::size_t place) { return !known.insert(place).second; });
+  assert(again != positions.places.end());
+  return *again;
+}
+
+// The points of one position become one. Their numbers are those of the positions.
+acquire::Record with_points_merged(acquire::Record record, const ScanPositions& positions) {
+  std::map<int, int> merged;
+  for (const int point : record.points()) merged.emplace(point, static_cast<int>(positions.place(merged.size())));
+  for (acquire::RowInfo& row : record.rows) row.point = merged.at(row.point);
+  for (acquire::DrivingPlace& at : record.driving) {
+    if (const auto known = merged.find(at.point); known != merged.end()) at.point = known->second;
+  }
+  for (acquire::PointMotion& at : record.motions) {
+    if (const auto known = merged.find(at.point); known != merged.end()) at.point = known->second;
+  }
+  acquire::sort_motions(record.motions);
+  return record;
+}
+
 }  // namespace
 
 ScanPositions listed_positions(std::vector<double> position_m, const std::string& where) {
   std::vector<double> ascending = position_m;
   std::sort(ascending.begin(), ascending.end());
   const auto twice = std::adjacent_find(ascending.begin(), ascending.end());
-  if (twice != ascending.end()) {
-    throw InputError(fmt::format("two points of the scan lie at {:.6g} in", *twice / kInch_m), where,
-                     "state a position of its own for each point", {"positions"});
-  }
+  if (twice != ascending.end()) throw two_points_at(*twice, where);
   return {.start_m = ascending.front(), .step_m = 0, .count = ascending.size(), .listed_m = std::move(position_m)};
+}
+
+ScanPositions repeated_positions(const std::vector<double>& position_m) {
+  std::vector<double> distinct_m;
+  std::vector<std::size_t> places;
+  for (const double at_m : position_m) {
+    const auto known = std::find(distinct_m.begin(), distinct_m.end(), at_m);
+    places.push_back(static_cast<std::size_t>(known - distinct_m.begin()));
+    if (known == distinct_m.end()) distinct_m.push_back(at_m);
+  }
+  ScanPositions positions = listed_positions(std::move(distinct_m), "");
+  if (places.size() > positions.count) positions.places = std::move(places);
+  return positions;
 }
 
 ScanPositions positions_of_geometry(const std::vector<std::vector<double>>& geometry, const std::set<int>& points,
@@ -230,21 +282,27 @@ ScanPositions positions_of_geometry(const std::vector<std::vector<double>>& geom
   return listed_positions(std::move(position_m), where);
 }
 
-acquire::Record as_scan(acquire::Record record, const ScanPositions& positions) {
-  const std::size_t points = record.points().size();
-  const std::size_t rows = record.rows.size();
-  if (points == positions.count) return record;
-  if (points != 1 || rows < positions.count || rows % positions.count != 0 || record.continuous) {
+acquire::Record as_scan(acquire::Record record, const ScanPositions& positions, bool points_are_files) {
+  const std::size_t points = record.points().size(), rows = record.rows.size(), stated = positions.stated();
+  if (points == stated && (positions.places.empty() || points_are_files))
+    return positions.places.empty() ? std::move(record) : with_points_merged(std::move(record), positions);
+  if (points == stated) throw two_points_at(positions.at_m(repeated_place(positions)), record.source());
+  if (points != 1 || rows < stated || rows % stated != 0) {
     throw InputError(fmt::format("{} point{} and {} row{} of hits for {} positions", points, points == 1 ? "" : "s",
-                                 rows, rows == 1 ? "" : "s", positions.count),
-                     record.source(), "state one position per point, file or row, in their order", {"positions"});
+                                 rows, rows == 1 ? "" : "s", stated),
+                     record.source(),
+                     "state one position per point, file or row, in their order; repeat the position of further hits, "
+                     "as in 3,3,3.5,3.5in",
+                     {"positions"});
   }
-  const std::size_t each = rows / positions.count;
-  for (std::size_t row = 0; row < rows; ++row) record.rows[row].point = static_cast<int>(row / each);
-  record.notes.emplace_back(
-      fmt::format("the points of the hits are not stated: each position of the scan is assumed to have {} row{}, in "
-                  "order",
-                  each, each == 1 ? "" : "s"));
+  const std::size_t each = rows / stated;
+  for (std::size_t row = 0; row < rows; ++row) record.rows[row].point = static_cast<int>(positions.place(row / each));
+  if (positions.places.empty()) {
+    record.notes.emplace_back(
+        fmt::format("the points of the hits are not stated: each position of the scan is assumed to have {} row{}, in "
+                    "order",
+                    each, each == 1 ? "" : "s"));
+  }
   return record;
 }
 
@@ -259,14 +317,11 @@ NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, do
   NodeScan scan{.positions = positions, .modes = {}, .warnings = {}};
   const MeasuredPoints measured = measured_points(analysis, positions, scan.warnings);
   const bool enough = measured.point.size() >= kMinPoints;
-  if (!enough) {
-    scan.warnings.push_back(
-        with_remedy({"few_points", fmt::format("only {} position{} usable hits: no node can be located",
-                                               measured.point.size(), measured.point.size() == 1 ? " has" : "s have")},
-                    "measure three positions or more"));
-  }
+  if (!enough) scan.warnings.push_back(few_positions(measured.point.size()));
   const std::vector<std::size_t> shown = modes_of_scan(analysis);
-  const std::vector<identify::ScanShape> shapes = shapes_of(analysis, shown, measured);
+  const std::vector<identify::HitsAlongScan> along_scan = hits_along_scan(analysis, shown, measured);
+  const std::vector<identify::ScanShape> shapes = shapes_of(along_scan);
+  add_hit_warnings(analysis, along_scan, scan.warnings);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const identify::Mode& mode = analysis.modes()[shown[i]];
     ModeAlongScan along{.mode = shown[i],

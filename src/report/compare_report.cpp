@@ -84,6 +84,32 @@ std::vector<NumericColumn> columns_of(const std::vector<metrics::ComparedDocumen
   return columns;
 }
 
+// The families and orders of the modes and of their partners ("bending 3a"), and what paired them; empty in the rows of
+// deflections.
+std::vector<WordColumn> words_of(const std::vector<metrics::ComparedDocument>& documents,
+                                 const std::vector<Comparison>& comparisons) {
+  const metrics::ComparedDocument& first = documents.front();
+  const std::size_t rows = first.modes.size() + comparisons.front().deflections.size();
+  const auto column = [&](const std::string& name, auto word) {
+    WordColumn out{.name = name, .values = std::vector<std::string>(rows)};
+    for (std::size_t m = 0; m < first.modes.size(); ++m) out.values[m] = word(m);
+    return out;
+  };
+  std::vector<WordColumn> words{column("mode_1", [&](std::size_t m) { return compared_mode_name(first, m); })};
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    const Comparison& c = comparisons[i];
+    words.push_back(column(fmt::format("mode_{}", i + 2), [&](std::size_t m) {
+      const metrics::ModePair* pair = pair_at(c, m);
+      return pair ? compared_mode_name(c.b, pair->b) : "";
+    }));
+    words.push_back(column(fmt::format("paired_by_{}", i + 2), [&](std::size_t m) {
+      const metrics::ModePair* pair = pair_at(c, m);
+      return std::string(pair ? name_of(pair->by) : "");
+    }));
+  }
+  return words;
+}
+
 // The MAC of every mode of the first document with every mode of the second; nothing without common shapes.
 std::optional<MacMatrix> mac_matrix_of(const Comparison& c) {
   MacMatrix out{.caption = fmt::format("rows: {}; columns: {}", one_line(c.a.name, 200), one_line(c.b.name, 200)),
@@ -186,6 +212,7 @@ CommandReport compare_report(const std::vector<metrics::ComparedDocument>& docum
     report.text += compare_deflections_text(c);
   }
   report.columns = columns_of(documents, comparisons);
+  report.words = words_of(documents, comparisons);
   report.charts = {chart_of(comparisons)};
   for (const Comparison& c : comparisons) {
     if (auto matrix = mac_matrix_of(c)) report.macs.push_back(std::move(*matrix));

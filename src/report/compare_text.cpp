@@ -53,8 +53,14 @@ bool names_families(const metrics::ComparedDocument& document) {
 // The first cells of a mode's row.
 std::vector<std::string> mode_cells(const metrics::ComparedDocument& document, std::size_t m) {
   std::vector<std::string> cells{std::to_string(first_mode_number(document) + m)};
-  if (names_families(document)) cells.push_back(document.modes[m].family);
+  if (names_families(document)) cells.push_back(compared_mode_name(document, m));
   return cells;
+}
+
+// ", bending 4" for a partner whose stated order or type is another.
+std::string other_name(const Comparison& c, const metrics::ModePair& pair) {
+  const std::string name = compared_mode_name(c.b, pair.b);
+  return c.b.modes[pair.b].order > 0 && name != compared_mode_name(c.a, pair.a) ? ", " + name : "";
 }
 
 TextTable modes_table(const std::vector<metrics::ComparedDocument>& documents) {
@@ -114,19 +120,36 @@ std::optional<std::string> other_shapes_text(const Comparison& c) {
       one_line(c.b.name, 200));
 }
 
-// Says that modes are paired by frequency alone, and which of them may be exchanged. `several`: there are other
+// "modes are paired with the modes of b.json by …", or "2 of 7 modes are …"; empty where none is.
+std::string paired_text(const Comparison& c, metrics::PairedBy by, bool several) {
+  const auto& pairs = c.modes.pairs;
+  const auto count = static_cast<std::size_t>(
+      std::count_if(pairs.begin(), pairs.end(), [&](const metrics::ModePair& pair) { return pair.by == by; }));
+  if (count == 0) return "";
+  const std::string of = several ? fmt::format(" with the modes of {}", one_line(c.b.name, 200)) : "";
+  return count == pairs.size()
+             ? fmt::format("modes are paired{} by ", of)
+             : fmt::format("{} of {} modes {} paired{} by ", count, pairs.size(), count == 1 ? "is" : "are", of);
+}
+
+// Says that modes are paired by order or by frequency, and which of them may be exchanged. `several`: there are other
 // comparisons.
 void say_pairing(ReportText& text, const Comparison& c, bool several) {
   const auto& pairs = c.modes.pairs;
-  const auto by_frequency = static_cast<std::size_t>(
-      std::count_if(pairs.begin(), pairs.end(), [](const metrics::ModePair& pair) { return !pair.mac; }));
-  if (by_frequency == 0) return;
-  const std::string of = several ? fmt::format(" with the modes of {}", one_line(c.b.name, 200)) : "";
-  const std::string which = by_frequency == pairs.size() ? fmt::format("modes are paired{} by frequency", of)
-                                                         : fmt::format("{} of {} modes are paired{} by frequency",
-                                                                       by_frequency, pairs.size(), of);
-  text.say(
-      fmt::format("{} (fewer than {} common points): modes that crossed are exchanged", which, metrics::kMinPlaces));
+  const std::string by_order = paired_text(c, metrics::PairedBy::order, several);
+  if (!by_order.empty())
+    text.say(fmt::format("{}family and order (fewer than {} common points)", by_order, metrics::kMinPlaces));
+  for (const metrics::DoubtedOrders& doubted : c.modes.doubted_orders) {
+    text.say(fmt::format(
+        "the frequencies{} contradict the orders of {} modes from {} on, as where one test lacks a mode: these orders "
+        "are not used",
+        several ? " of " + one_line(c.b.name, 200) : "", one_line(doubted.family, 40), doubted.from));
+  }
+  const std::string by_frequency = paired_text(c, metrics::PairedBy::frequency, several);
+  if (!by_frequency.empty()) {
+    text.say(fmt::format("{}frequency (fewer than {} common points): modes that crossed are exchanged", by_frequency,
+                         metrics::kMinPlaces));
+  }
   std::vector<std::string> exchangeable;
   const std::size_t number = first_mode_number(c.a);
   for (const metrics::ModePair& pair : pairs) {
@@ -143,6 +166,18 @@ void say_pairing(ReportText& text, const Comparison& c, bool several) {
 
 std::size_t first_mode_number(const metrics::ComparedDocument& document) {
   return document.schema == "percuss/model-beam/1" ? 0 : 1;
+}
+
+std::string compared_mode_name(const metrics::ComparedDocument& document, std::size_t m) {
+  constexpr std::size_t kLetters = 26;
+  const metrics::ComparedMode& mode = document.modes[m];
+  const std::string family = one_line(mode.family, 40);
+  if (mode.order <= 0) return family;
+  std::string name = fmt::format("{} {}", family, mode.order);
+  const auto same = metrics::modes_of_order(document, mode.family, mode.order);
+  const auto rank = static_cast<std::size_t>(std::find(same.begin(), same.end(), m) - same.begin());
+  if (same.size() > 1 && rank < std::min(same.size(), kLetters)) name += static_cast<char>('a' + rank);
+  return name;
 }
 
 const metrics::ModePair* pair_at(const Comparison& c, std::size_t mode) {
@@ -162,7 +197,7 @@ ReportText compare_modes_text(const std::vector<metrics::ComparedDocument>& docu
     cells.push_back(frequency_text(mode));
     for (const Comparison& c : comparisons) {
       const metrics::ModePair* pair = pair_at(c, m);
-      std::string cell = pair ? fmt::format("{} ({}", frequency_text(c.b.modes[pair->b]),
+      std::string cell = pair ? fmt::format("{}{} ({}", frequency_text(c.b.modes[pair->b]), other_name(c, *pair),
                                             difference_text(pair->difference_percent, pair->difference_std_percent,
                                                             mode.freq_std_Hz > 0 && c.b.modes[pair->b].freq_std_Hz > 0))
                               : "–";
@@ -178,12 +213,13 @@ ReportText compare_modes_text(const std::vector<metrics::ComparedDocument>& docu
     say_pairing(text, c, comparisons.size() > 1);
     if (c.modes.unpaired_b.empty()) continue;
     if (const auto hint = other_shapes_text(c)) text.say(*hint);
-    std::string only = fmt::format("only in {}:", one_line(c.b.name, 200));
     const auto& unpaired = c.modes.unpaired_b;
-    const std::size_t shown = std::min(unpaired.size(), kMaxNamed);
-    for (std::size_t i = 0; i < shown; ++i) only += fmt::format(" {:.6g} Hz", c.b.modes[unpaired[i]].freq_Hz);
-    if (shown < unpaired.size()) only += fmt::format(" and {} more", unpaired.size() - shown);
-    text.say(only);
+    text.say(fmt::format(
+        "only in {}: {}", one_line(c.b.name, 200), limited_list(unpaired.size(), kMaxNamed, [&](std::size_t i) {
+          const metrics::ComparedMode& mode = c.b.modes[unpaired[i]];
+          const std::string freq = fmt::format("{:.6g} Hz", mode.freq_Hz);
+          return mode.order > 0 ? fmt::format("{} ({})", freq, compared_mode_name(c.b, unpaired[i])) : freq;
+        })));
   }
   if (auto dampings = dampings_table(documents, comparisons)) {
     text += "\ndamping\n";

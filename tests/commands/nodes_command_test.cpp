@@ -131,6 +131,64 @@ TEST_F(NodesCommand, OrdersTheFilesOfAnUnquotedPatternByTheirNumbers) {
   EXPECT_THAT(nodes(arguments).out, testing::Not(HasSubstr("s9.h5 before s10.h5")));
 }
 
+// Two files per position: by their names, or by equal positions.
+TEST_F(NodesCommand, TakesSeveralFilesPerPosition) {
+  const std::string listed = "6,6,6.5,6.5,7,7,7.5,7.5,8,8,8.5,8.5,9,9in";
+  const auto scan_of = [](const std::string& folder, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{folder, "--json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return nodes(arguments);
+  };
+  synth::SynthSpec two_hits = beam();
+  two_hits.hits = 2;
+  acquire::Record scan = synth::synthesise(two_hits).record;
+  scan.geometry.clear();
+  constexpr int kFiles = 14;
+  ASSERT_EQ(scan.rows.size(), static_cast<std::size_t>(kFiles));
+  for (int i = 0; i < kFiles; ++i) scan.rows[static_cast<std::size_t>(i)].point = i;
+  const auto make = [&](const std::string& folder, const auto& name) {
+    std::filesystem::create_directory(folder);
+    for (int i = 0; i < kFiles; ++i) {
+      acquire::Record one = acquire::select_rows(scan, [&](const acquire::RowInfo& row) { return row.point == i; });
+      one.rows[0].point = 0;
+      acquire::write_hdf5((std::filesystem::path(folder) / name(i)).string(), one, true);
+    }
+    return folder;
+  };
+  const std::string named = make(
+      file("named"), [](int i) { return "in" + std::to_string(12 + i / 2) + "_" + std::to_string(i % 2 + 1) + ".h5"; });
+  const std::string counted = make(file("counted"), [](int i) { return "blow" + std::to_string(i + 1) + ".h5"; });
+  const auto by_names = scan_of(named, {"--positions", "6:0.5:9in"});
+  ASSERT_EQ(by_names.code, 0) << by_names.err;
+  EXPECT_THAT(by_names.out, HasSubstr("the 14 files are hits of 7 points, by their names: in12_1.h5, in12_2.h5"));
+  EXPECT_NEAR(first_node_in(test::parse_json(by_names.out)), 7.5, kNodeTolerance_in);
+  // Positions of a range and of a list may differ in their last digits.
+  const auto residues_of = [](const std::string& document) {
+    std::vector<double> residues;
+    const json shape = test::parse_json(document)["modes"].at(0)["shape"];
+    for (const json& at : shape) residues.push_back(at["residue"].get<double>());
+    return residues;
+  };
+  const std::vector<double> expected = residues_of(by_names.out);
+  EXPECT_EQ(expected.size(), 7U);
+  for (const std::vector<std::string>& options :
+       std::vector<std::vector<std::string>>{{"--positions", listed},
+                                             {"--positions", listed, "--files", "points"},
+                                             {"--positions", listed, "--files", "hits"},
+                                             {"--positions", "6:0.5:9in", "--files", "hits"}}) {
+    for (const std::string& folder : {named, counted}) {
+      const auto outcome = scan_of(folder, options);
+      ASSERT_EQ(outcome.code, 0) << outcome.err;
+      EXPECT_EQ(residues_of(outcome.out), expected) << folder << " " << options.back();
+    }
+  }
+  const auto refused = scan_of(counted, {"--positions", "6:0.5:9in"});
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("14 points"), HasSubstr("repeat the position of further hits")));
+  const auto points = scan_of(named, {"--positions", "6:0.5:9in", "--files", "points"});
+  EXPECT_EQ(points.code, 3) << "each file is a point by the user's word";
+}
+
 TEST_F(NodesCommand, LeavesOutFilesOfAFolderThatAreNoRecords) {
   const std::filesystem::path folder = file("session");
   std::filesystem::create_directory(folder);

@@ -120,6 +120,130 @@ TEST(PairModes, NamesModesThatMayHaveCrossed) {
   EXPECT_THAT(exchangeable(pair_modes(a, b)), testing::Each(IsEmpty()));
 }
 
+struct Order {
+  const char* family;
+  int order;
+  double freq_Hz;
+  double confidence = 0.99;
+  bool second = false;
+};
+
+ComparedDocument document_of_orders(const std::vector<Order>& orders) {
+  ComparedDocument document;
+  for (const Order& one : orders) {
+    document.modes.push_back({.freq_Hz = one.freq_Hz,
+                              .family = one.family,
+                              .second = one.second,
+                              .order = one.order,
+                              .confidence = one.confidence,
+                              .shape = {}});
+  }
+  return document;
+}
+
+std::vector<PairedBy> rules(const PairedModes& paired) {
+  std::vector<PairedBy> out;
+  for (const ModePair& pair : paired.pairs) out.push_back(pair.by);
+  return out;
+}
+
+// An aluminium and a wooden bat: by frequency alone, 4a pairs with 5, and 3a with 3b.
+TEST(PairModes, PairsByFamilyAndOrder) {
+  const ComparedDocument aluminium = document_of_orders({{"bending", 1, 175.2},
+                                                         {"bending", 1, 175.9, 0.99, true},
+                                                         {"bending", 2, 660.7},
+                                                         {"bending", 2, 663.9, 0.99, true},
+                                                         {"bending", 3, 1321.9},
+                                                         {"bending", 3, 1329.3, 0.99, true},
+                                                         {"hoop", 1, 1985},
+                                                         {"bending", 4, 2217.5},
+                                                         {"bending", 4, 2231.7, 0.99, true}});
+  const ComparedDocument wood = document_of_orders({{"bending", 1, 168.2},
+                                                    {"bending", 1, 172.4, 0.99, true},
+                                                    {"bending", 2, 523.8},
+                                                    {"bending", 2, 539.5, 0.99, true},
+                                                    {"bending", 3, 1009.8},
+                                                    {"bending", 3, 1045.2},
+                                                    {"bending", 4, 1675.2},
+                                                    {"bending", 4, 1742.2},
+                                                    {"bending", 5, 2511.7},
+                                                    {"bending", 6, 2624.8, 0.86}});
+  const PairedModes paired = pair_modes(aluminium, wood);
+  EXPECT_THAT(indices(paired),
+              ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1), testing::Pair(2, 2), testing::Pair(3, 3),
+                          testing::Pair(4, 4), testing::Pair(5, 5), testing::Pair(7, 6), testing::Pair(8, 7)));
+  EXPECT_THAT(rules(paired), testing::Each(PairedBy::order));
+  EXPECT_THAT(paired.unpaired_a, ElementsAre(6));
+  EXPECT_THAT(paired.unpaired_b, ElementsAre(8, 9));
+  EXPECT_THAT(paired.doubted_orders, IsEmpty());
+  // The differences relative to the other bat are up to 32 %.
+  EXPECT_EQ(pair_modes(wood, aluminium).pairs.size(), 8U);
+  // A stated limit holds for them, too. Modes of other orders do not pair in their place.
+  const PairedModes limited = pair_modes(wood, aluminium, {.furthest = 0.25, .furthest_of_orders = 0.25});
+  EXPECT_THAT(indices(limited), ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1), testing::Pair(3, 3)));
+}
+
+TEST(PairModes, UsesOrdersOnlyWhereBothDocumentsAreSureOfThem) {
+  const ComparedDocument a = document_of_orders({{"bending", 1, 170}, {"bending", 2, 560}, {"bending", 3, 900}});
+  const ComparedDocument sure = document_of_orders({{"bending", 1, 171}, {"bending", 2, 480}, {"bending", 3, 620}});
+  EXPECT_THAT(indices(pair_modes(a, sure)), ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1), testing::Pair(2, 2)));
+  ComparedDocument unsure = sure;
+  unsure.modes[1].confidence = unsure.modes[2].confidence = 0.8;
+  const PairedModes paired = pair_modes(a, unsure);
+  EXPECT_THAT(indices(paired), ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1)));
+  EXPECT_THAT(rules(paired), ElementsAre(PairedBy::order, PairedBy::frequency));
+}
+
+// The second document lacks bending 3, so that its bending 3 is the other's bending 4.
+TEST(PairModes, DoubtsOrdersThatTheFrequenciesContradict) {
+  const ComparedDocument all = document_of_orders(
+      {{"bending", 1, 175}, {"bending", 2, 660}, {"bending", 3, 1322}, {"bending", 4, 2217}, {"bending", 5, 3200}});
+  const ComparedDocument lacking =
+      document_of_orders({{"bending", 1, 176}, {"bending", 2, 655}, {"bending", 3, 2200}, {"bending", 4, 3210}});
+  const PairedModes paired = pair_modes(all, lacking);
+  EXPECT_THAT(indices(paired),
+              ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1), testing::Pair(3, 2), testing::Pair(4, 3)));
+  EXPECT_THAT(rules(paired), ElementsAre(PairedBy::order, PairedBy::order, PairedBy::frequency, PairedBy::frequency));
+  ASSERT_EQ(paired.doubted_orders.size(), 1U);
+  EXPECT_EQ(paired.doubted_orders[0].family, "bending");
+  EXPECT_EQ(paired.doubted_orders[0].from, 3);
+  EXPECT_THAT(indices(pair_modes(lacking, all)),
+              ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1), testing::Pair(2, 3), testing::Pair(3, 4)));
+  // The first mode is missing: all orders are one too low.
+  const ComparedDocument without_first = document_of_orders({{"bending", 1, 640}, {"bending", 2, 1300}});
+  EXPECT_THAT(indices(pair_modes(all, without_first)), ElementsAre(testing::Pair(1, 0), testing::Pair(2, 1)));
+}
+
+TEST(PairModes, PairsTheNearestPeakOfAnOrder) {
+  const ComparedDocument both = document_of_orders({{"bending", 1, 170}, {"bending", 2, 500}, {"bending", 2, 540}});
+  const ComparedDocument one = document_of_orders({{"bending", 1, 170}, {"bending", 2, 541}});
+  EXPECT_THAT(indices(pair_modes(both, one)), ElementsAre(testing::Pair(0, 0), testing::Pair(2, 1)));
+  // The first peak stands for a split mode.
+  const ComparedDocument split =
+      document_of_orders({{"bending", 1, 170}, {"bending", 2, 535}, {"bending", 2, 540, 0.99, true}});
+  EXPECT_THAT(indices(pair_modes(split, one)), ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1)));
+}
+
+TEST(PairModes, PrefersShapesToOrders) {
+  ComparedDocument a = document_of_orders({{"bending", 1, 170}, {"bending", 2, 500}, {"bending", 2, 520}}), b = a;
+  a.modes[1].shape = b.modes[2].shape = shape(1, 1, 1);
+  a.modes[2].shape = b.modes[1].shape = shape(1, 0, -1);
+  const PairedModes paired = pair_modes(a, b);
+  EXPECT_THAT(indices(paired), ElementsAre(testing::Pair(0, 0), testing::Pair(1, 2), testing::Pair(2, 1)));
+  EXPECT_THAT(rules(paired), ElementsAre(PairedBy::order, PairedBy::shape, PairedBy::shape));
+}
+
+// The two planes of an order may cross; modes of other orders do not.
+TEST(PairModes, NamesPeaksOfOneOrderThatMayHaveCrossed) {
+  const ComparedDocument a = document_of_orders({{"bending", 2, 500}, {"bending", 2, 504}, {"bending", 3, 600}});
+  const ComparedDocument b = document_of_orders({{"bending", 2, 560}, {"bending", 2, 566}, {"bending", 3, 660}});
+  const PairedModes paired = pair_modes(a, b);
+  ASSERT_EQ(paired.pairs.size(), 3U);
+  EXPECT_THAT(paired.pairs[0].exchangeable_a, ElementsAre(1));
+  EXPECT_THAT(paired.pairs[1].exchangeable_a, ElementsAre(0));
+  EXPECT_THAT(paired.pairs[2].exchangeable_a, IsEmpty());
+}
+
 ComparedDocument deflected(bool model, const std::vector<std::pair<double, double>>& at) {
   ComparedDocument document{.model = model, .modes = {}, .deflections = {}};
   for (const auto& [position_m, peak_m] : at)

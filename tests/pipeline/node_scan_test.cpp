@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/units.hpp"
 #include "support/input_error.hpp"
@@ -100,8 +103,50 @@ TEST(NodeScan, OmitsAPositionWithoutAUsableHit) {
   EXPECT_EQ(scan.modes[0].shape.position_m.size(), kScan.count - 1);
   const double off_m = scan.modes[0].nodes.at(0).position_m - exact_nodes_m(spec, spec.modes[0]).at(0);
   EXPECT_LE(std::abs(off_m) / kInch_m, kNodeError_in);
-  ASSERT_EQ(scan.warnings.size(), 1U);
+  ASSERT_EQ(scan.warnings.size(), 2U);
   EXPECT_THAT(scan.warnings[0].message, testing::HasSubstr("7.25 in"));
+  EXPECT_EQ(scan.warnings[1].code, "one_hit_each");
+}
+
+std::vector<std::string> codes_of(const NodeScan& scan) {
+  std::vector<std::string> codes;
+  for (const Warning& warning : scan.warnings) codes.push_back(warning.code);
+  return codes;
+}
+
+TEST(NodeScan, SaysThatOneHitPerPositionShowsNoErrorOfItsPlace) {
+  synth::SynthSpec spec = scan_spec("wood-bat", 0);
+  EXPECT_THAT(codes_of(scan_of(spec)), testing::ElementsAre("one_hit_each"));
+  spec.hits = 2;
+  EXPECT_THAT(codes_of(scan_of(spec)), testing::IsEmpty());
+}
+
+TEST(NodeScan, NamesExchangedPositions) {
+  acquire::Record record = synth::synthesise(scan_spec("wood-bat", 0)).record;
+  record.geometry.clear();
+  for (acquire::RowInfo& row : record.rows) {
+    if (row.point == 8 || row.point == 14) row.point = 22 - row.point;
+  }
+  const Analysis analysis(std::move(record), {.band_Hz = std::pair{60.0, 3200.0}});
+  const NodeScan scan = scan_nodes(analysis, kScan, kMinimumResolution_in * kInch_m);
+  ASSERT_THAT(codes_of(scan), testing::ElementsAre("one_hit_each", "misplaced_hits"));
+  EXPECT_THAT(scan.warnings[1].message,
+              testing::ContainsRegex("at 5 in by [0-9]+ standard deviations, as if at 6.5 in"));
+  EXPECT_THAT(scan.warnings[1].message,
+              testing::ContainsRegex("at 6.5 in by [0-9]+ standard deviations, as if at 5 in"));
+}
+
+TEST(NodeScan, NamesAHitAtAnotherPosition) {
+  synth::SynthSpec spec = scan_spec("wood-bat", 0);
+  spec.hits = 2;
+  acquire::Record record = synth::synthesise(spec).record;
+  record.geometry.clear();
+  std::swap(record.rows[16].point, record.rows[29].point);  // one hit of 5 and one of 6.5 in
+  const Analysis analysis(std::move(record), {.band_Hz = std::pair{60.0, 3200.0}});
+  const NodeScan scan = scan_nodes(analysis, kScan, kMinimumResolution_in * kInch_m);
+  ASSERT_THAT(codes_of(scan), testing::ElementsAre("misplaced_hits"));
+  EXPECT_THAT(scan.warnings[0].message,
+              testing::AllOf(testing::HasSubstr("hit 30 at 5 in"), testing::HasSubstr("hit 17 at 6.5 in")));
 }
 
 TEST(AsScan, AssignsRowsInOrderWhenPointsAreNotStated) {
@@ -110,6 +155,43 @@ TEST(AsScan, AssignsRowsInOrderWhenPointsAreNotStated) {
   const acquire::Record scan = as_scan(record, kScan);
   for (std::size_t row = 0; row < scan.rows.size(); ++row) EXPECT_EQ(scan.rows[row].point, static_cast<int>(row));
   EXPECT_EQ(scan.notes.size(), record.notes.size() + 1);
+}
+
+// Rows that are files of one hit each are not one recording.
+TEST(AsScan, AssignsFilesOfOneHitEach) {
+  acquire::Record record = synth::synthesise(scan_spec("wood-bat", 0)).record;
+  for (acquire::RowInfo& row : record.rows) row.point = 0;
+  record.continuous = true;
+  EXPECT_EQ(as_scan(record, kScan).points().size(), kScan.count);
+}
+
+TEST(AsScan, MergesFilesOfEqualPositions) {
+  synth::SynthSpec spec = scan_spec("wood-bat", 0);
+  spec.points.resize(5);
+  const acquire::Record files = synth::synthesise(spec).record;
+  const ScanPositions positions = repeated_positions({0.1, 0.1, 0.3, 0.2, 0.2});
+  EXPECT_THAT(positions.listed_m, testing::ElementsAre(0.1, 0.3, 0.2));
+  EXPECT_EQ(positions.count, 3U);
+  EXPECT_EQ(positions.stated(), 5U);
+  const auto points_of = [](const acquire::Record& record) {
+    std::vector<int> points;
+    for (const acquire::RowInfo& row : record.rows) points.push_back(row.point);
+    return points;
+  };
+  EXPECT_THAT(points_of(as_scan(files, positions, true)), testing::ElementsAre(0, 0, 1, 2, 2));
+  // Points of a record are places of their own.
+  EXPECT_THAT(test::input_error_of([&] { as_scan(files, positions); }),
+              testing::HasSubstr("two points of the scan lie at 3.93701 in"));
+  // Rows whose points are not stated.
+  acquire::Record rows = files;
+  for (acquire::RowInfo& row : rows.rows) row.point = 0;
+  const acquire::Record scan = as_scan(rows, positions);
+  EXPECT_THAT(points_of(scan), testing::ElementsAre(0, 0, 1, 2, 2));
+  EXPECT_EQ(scan.notes.size(), rows.notes.size()) << "nothing is assumed";
+  EXPECT_THAT(test::input_error_of([&] {
+                as_scan(files, repeated_positions({0.1, 0.1, 0.2}), true);
+              }),
+              testing::HasSubstr("5 points and 5 rows of hits for 3 positions"));
 }
 
 TEST(AsScan, RefusesAnotherNumberOfPoints) {

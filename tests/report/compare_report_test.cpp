@@ -114,4 +114,55 @@ TEST(CompareReport, SaysThatModesArePairedByFrequencyAlone) {
   EXPECT_THAT(text({shapes, shapes}), Not(HasSubstr("by frequency")));
 }
 
+TEST(CompareReport, StatesOrdersAndTheRuleThatPaired) {
+  const auto mode = [](const char* family, int order, double freq_Hz) {
+    return metrics::ComparedMode{
+        .freq_Hz = freq_Hz, .family = family, .order = order, .confidence = order > 0 ? 0.99 : 0, .shape = {}};
+  };
+  const metrics::ComparedDocument a{
+      .name = "a.json",
+      .schema = "",
+      .modes = {mode("bending", 1, 170), mode("bending", 2, 500), mode("bending", 2, 510), mode("unknown", 0, 900)},
+      .deflections = {}};
+  const metrics::ComparedDocument b{
+      .name = "b.json",
+      .schema = "",
+      .modes = {mode("bending", 1, 172), mode("bending", 2, 520), mode("bending", 3, 950), mode("bending", 4, 1500)},
+      .deflections = {}};
+  const CommandReport report = compare_report({a, b});
+  const std::string text = report.text.text(200);
+  EXPECT_THAT(text, HasSubstr("   2  bending 2a"));
+  EXPECT_THAT(text, testing::ContainsRegex("3  bending 2b +510 Hz +520 Hz, bending 2 \\("));
+  EXPECT_THAT(text, testing::ContainsRegex("4  unknown +900 Hz +950 Hz, bending 3 \\("));
+  EXPECT_THAT(text, testing::ContainsRegex("1  bending 1 +170 Hz +172 Hz \\("));
+  EXPECT_THAT(text, HasSubstr("2 of 3 modes are paired by family and order (fewer than 3 common points)\n"));
+  EXPECT_THAT(text, HasSubstr("1 of 3 modes is paired by frequency"));
+  EXPECT_THAT(text, HasSubstr("only in b.json: 1500 Hz (bending 4)\n"));
+  EXPECT_THAT(report.json, HasSubstr("\"paired_by\": \"order\""));
+  EXPECT_THAT(report.json, HasSubstr("\"order_b\": 2"));
+  ASSERT_EQ(report.words.size(), 3U);
+  EXPECT_THAT(report.words[0].values, ElementsAre("bending 1", "bending 2a", "bending 2b", "unknown"));
+  EXPECT_THAT(report.words[1].values, ElementsAre("bending 1", "", "bending 2", "bending 3"));
+  EXPECT_THAT(report.words[2].values, ElementsAre("order", "", "order", "frequency"));
+}
+
+TEST(CompareReport, SaysThatFrequenciesContradictOrders) {
+  const auto document = [](const std::string& name, const std::vector<double>& freq_Hz) {
+    metrics::ComparedDocument out{.name = name, .schema = "", .modes = {}, .deflections = {}};
+    for (const double f : freq_Hz) {
+      out.modes.push_back({.freq_Hz = f,
+                           .family = "bending",
+                           .order = static_cast<int>(out.modes.size()) + 1,
+                           .confidence = 1,
+                           .shape = {}});
+    }
+    return out;
+  };
+  const CommandReport report =
+      compare_report({document("a.json", {175, 660, 1322, 2217}), document("b.json", {175, 660, 2200})});
+  EXPECT_THAT(report.text.text(200), HasSubstr("the frequencies contradict the orders of bending modes from 3 on, as "
+                                               "where one test lacks a mode: these orders are not used\n"));
+  EXPECT_THAT(report.json, HasSubstr("\"from_order\": 3"));
+}
+
 }  // namespace percuss::report::compare_report_test

@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 
 #include "cli/open_files.hpp"
 #include "cli/option_error.hpp"
@@ -15,7 +16,7 @@ constexpr double kPercent = 100;
 
 struct CompareFlags {
   std::vector<std::string> paths;
-  double furthest_percent = kPercent * metrics::PairOptions{}.furthest;
+  std::optional<double> furthest_percent;
   double min_mac = metrics::PairOptions{}.min_mac;
   OutputFlags output;
 };
@@ -31,9 +32,9 @@ int compare(const CompareFlags& flags) {
     }
   }
   if (documents.size() < 2) throw OptionError({}, "one document cannot be compared", "name two or more");
-  return show_report(
-      report::compare_report(documents, {.furthest = flags.furthest_percent / kPercent, .min_mac = flags.min_mac}),
-      flags.output, paths);
+  metrics::PairOptions options{.min_mac = flags.min_mac};
+  if (flags.furthest_percent) options.furthest = options.furthest_of_orders = *flags.furthest_percent / kPercent;
+  return show_report(report::compare_report(documents, options), flags.output, paths);
 }
 
 }  // namespace
@@ -43,21 +44,24 @@ void add_compare(CommandLine& line) {
   Command command = line.command("compare", "Compare modes or deflections of tests and models side by side",
                                  [flags] { return compare(*flags); });
   command.about(
-      "Pairs the modes of the first document with the modes of each other document, by frequency and shape, and shows "
-      "the differences. The MAC is that of the shapes over the common points, or over the channels where there are "
-      "fewer than three points. Modes without three common places are paired by frequency alone, so that modes that "
-      "crossed are exchanged; the output says so. Compares the deflections of two documents likewise. analyze, survey, "
-      "deflect and model write such documents with --json.");
+      "Pairs the modes of the first document with the modes of each other document, and shows the differences. Modes "
+      "with three common places are paired by shape. The MAC is that of the shapes over the common points, or over the "
+      "channels where there are fewer than three points. Other modes are paired by family and order where both "
+      "documents state them with 90 % confidence and the frequencies do not contradict. The rest is paired by "
+      "frequency, so that modes that crossed are exchanged. The output says which rule applied. Letters name the peaks "
+      "of one order, as bending 3a and bending 3b, the lowest first. Compares the deflections of two documents "
+      "likewise. analyze, survey, deflect and model write such documents with --json.");
   command.example("percuss compare test.json model.json", "Compare a test with a model");
   command.example("percuss compare test.json model.json --furthest 40 -o compared.csv",
                   "Pair modes up to 40 % apart, and write a table");
   command.arguments("FILE", flags->paths, "Documents that analyze, survey, deflect and model wrote with --json")
       .required();
   command
-      .value("--furthest", flags->furthest_percent, "Pair modes only if their frequencies differ by at most this much")
+      .value("--furthest", flags->furthest_percent,
+             "Pair modes only if their frequencies differ by at most this much (default: 25, or 50 for modes of equal "
+             "order)")
       .above_zero()
-      .type("PERCENT")
-      .show_default();
+      .type("PERCENT");
   command.value("--least-mac", flags->min_mac, "Pair modes only if their MAC is at least this")
       .within(0, 1)
       .type("MAC")

@@ -17,6 +17,7 @@
 #include "cli/ranges.hpp"
 #include "cli/report_output.hpp"
 #include "commands/commands.hpp"
+#include "commands/survey_files.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/parse_number.hpp"
@@ -86,7 +87,7 @@ pipeline::ScanPositions parse_list(const std::string& text) {
   }
   for (std::size_t i = 0; i < numbers.size(); ++i)
     numbers[i] *= to_metres(units[i].empty() ? units.back() : units[i], text);
-  return pipeline::listed_positions(std::move(numbers), text);
+  return pipeline::repeated_positions(numbers);
 }
 
 // "3:0.25:9", "3:0.25:9in", "80:5:250mm", "3,3.5,5in"
@@ -104,6 +105,17 @@ struct OpenScan {
   bool assumed_points = false;  // the record does not state the points of its hits
 };
 
+// The files as points, or as `grouping` says. Files that are hits of as many points as positions are stated, by their
+// names, are taken so unless each file is a point by the user's word.
+acquire::Record joined_scan(const ReadFlags& read, std::vector<acquire::Record> records,
+                            const std::optional<pipeline::ScanPositions>& stated, acquire::FileGrouping grouping) {
+  if (stated && read.files != acquire::FileGrouping::points) {
+    const std::vector<acquire::FilesOfHits> groups = groups_of_files(records);
+    if (!groups.empty() && groups.size() == stated->stated()) return record_of_groups(std::move(records), groups);
+  }
+  return acquire::join_records(std::move(records), grouping);
+}
+
 // The positions come from the record where none are stated.
 OpenScan open_scan(const NodesFlags& flags, const std::optional<pipeline::ScanPositions>& stated) {
   const acquire::FileGrouping grouping =
@@ -115,6 +127,7 @@ OpenScan open_scan(const NodesFlags& flags, const std::optional<pipeline::ScanPo
   // Several files are numbered as points in their order, whatever the geometry of the first says.
   const bool renumbered = grouping == acquire::FileGrouping::points && opened.records.size() + opened.frfs.size() > 1;
   using Places = std::vector<std::vector<double>>;
+  const bool several = opened.records.size() > 1;
   if (!opened.frfs.empty()) {
     acquire::FrfRecord frfs = join_frfs_of(flags.read, std::move(opened.frfs));
     std::set<int> points;
@@ -125,13 +138,15 @@ OpenScan open_scan(const NodesFlags& flags, const std::optional<pipeline::ScanPo
     pipeline::assume_angles(frfs, options.classes);
     return {.analysis = std::make_shared<pipeline::Analysis>(std::move(frfs), options), .positions = positions};
   }
-  acquire::Record record = acquire::join_records(std::move(opened.records), grouping);
+  acquire::Record record = joined_scan(flags.read, std::move(opened.records), stated, grouping);
   const auto positions = stated ? *stated
                                 : pipeline::positions_of_geometry(renumbered ? Places{} : record.geometry,
                                                                   record.points(), record.source());
-  const bool assumed = record.points().size() != positions.count;
+  const bool assumed = record.points().size() == 1 && positions.stated() > 1;
+  const bool points_are_files = several && record.points().size() == record.files.size();
   pipeline::assume_angles(record, options.classes);
-  return {.analysis = std::make_shared<pipeline::Analysis>(pipeline::as_scan(std::move(record), positions), options),
+  record = pipeline::as_scan(std::move(record), positions, points_are_files);
+  return {.analysis = std::make_shared<pipeline::Analysis>(std::move(record), options),
           .positions = positions,
           .assumed_points = assumed};
 }
@@ -164,7 +179,8 @@ void add_nodes(CommandLine& line) {
                                  [flags] { return nodes(*flags); });
   command.about(
       "Locates the nodes of each bending mode along the barrel, with standard deviations, from hits at several "
-      "positions. Each point, or each file, is one position. A node lies where the response of the mode changes sign.");
+      "positions. Each point, or each file, is one position; files P1_1, P1_2, ... are hits of one. A node lies where "
+      "the response of the mode changes sign.");
   command.example("percuss nodes scan.h5 --positions 3:0.5:9in --band 60:1500",
                   "Use hits every half inch, from 3 to 9 in from the end of the barrel");
   command.example("percuss nodes scan.h5 --positions 76.2:12.7:228.6mm --band 60:1500 -o nodes.svg",
@@ -174,8 +190,8 @@ void add_nodes(CommandLine& line) {
       .value(
           "--positions", [&given = flags->positions](const std::string& text) { given = text; },
           "Set the positions of the hits from the end of the barrel, in the order of points or files: a range or a "
-          "list such as 3,3.5,5in; in inches unless a unit (in, m, mm, cm, ft) follows (default: from the record's "
-          "geometry)")
+          "list such as 3,3.5,5in, where files of equal positions are hits of one; in inches unless a unit (in, m, mm, "
+          "cm, ft) follows (default: from the record's geometry)")
       .type("START:STEP:END[UNIT]|POSITION,...");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);

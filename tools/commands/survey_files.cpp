@@ -20,19 +20,6 @@ namespace {
 using acquire::FilesOfHits;
 using Records = std::vector<acquire::Record>;
 
-// The groups of files whose names mark them as hits of one point. Empty if a file states points, places or a geometry.
-std::vector<FilesOfHits> groups_of_files(const Records& records) {
-  std::vector<std::string> paths;
-  for (const acquire::Record& record : records) {
-    const bool plain =
-        record.files.size() == 1 && record.geometry.empty() && record.driving.empty() && record.motions.empty() &&
-        std::all_of(record.rows.begin(), record.rows.end(), [](const auto& row) { return row.point == 0; });
-    if (!plain) return {};
-    paths.push_back(record.files.front().path);
-  }
-  return acquire::files_of_hits(paths);
-}
-
 std::vector<std::string> paths_of(const Records& records) {
   std::vector<std::string> paths;
   for (const acquire::Record& record : records) paths.push_back(record.source());
@@ -44,22 +31,6 @@ std::string names_of_group(const Records& records, const FilesOfHits& group) {
   constexpr std::size_t kMaxNamed = 4;
   return limited_list(group.files.size(), kMaxNamed,
                       [&](std::size_t i) { return pipeline::short_file_name(records[group.files[i]].source()); });
-}
-
-acquire::Record record_of_groups(Records records, const std::vector<FilesOfHits>& groups) {
-  Message note =
-      information(fmt::format("the {} files are hits of {} points, by their names: {} are hits of one point. "
-                              "If each file is a point, say so",
-                              records.size(), groups.size(), names_of_group(records, groups.front())));
-  note.options = {"files"};
-  for (std::size_t p = 0; p < groups.size(); ++p) {
-    for (const std::size_t file : groups[p].files) {
-      for (acquire::RowInfo& row : records[file].rows) row.point = static_cast<int>(p);
-    }
-  }
-  acquire::Record joined = acquire::join_records(std::move(records), acquire::FileGrouping::hits);
-  joined.notes.push_back(std::move(note));
-  return joined;
 }
 
 // Whether most hits agree with the other hits of their point. Hits at different places do not: they leave much of each
@@ -106,6 +77,34 @@ std::unique_ptr<pipeline::Analysis> analysis_of_record(acquire::Record record, p
 }
 
 }  // namespace
+
+std::vector<FilesOfHits> groups_of_files(const Records& records) {
+  std::vector<std::string> paths;
+  for (const acquire::Record& record : records) {
+    const bool plain =
+        record.files.size() == 1 && record.geometry.empty() && record.driving.empty() && record.motions.empty() &&
+        std::all_of(record.rows.begin(), record.rows.end(), [](const auto& row) { return row.point == 0; });
+    if (!plain) return {};
+    paths.push_back(record.files.front().path);
+  }
+  return acquire::files_of_hits(paths);
+}
+
+acquire::Record record_of_groups(Records records, const std::vector<FilesOfHits>& groups) {
+  Message note =
+      information(fmt::format("the {} files are hits of {} points, by their names: {} are hits of one point. "
+                              "If each file is a point, say so",
+                              records.size(), groups.size(), names_of_group(records, groups.front())));
+  note.options = {"files"};
+  for (std::size_t p = 0; p < groups.size(); ++p) {
+    for (const std::size_t file : groups[p].files) {
+      for (acquire::RowInfo& row : records[file].rows) row.point = static_cast<int>(p);
+    }
+  }
+  acquire::Record joined = acquire::join_records(std::move(records), acquire::FileGrouping::hits);
+  joined.notes.push_back(std::move(note));
+  return joined;
+}
 
 std::unique_ptr<pipeline::Analysis> survey_analysis(const ReadFlags& read, const pipeline::AnalysisOptions& options) {
   if (read.files == acquire::FileGrouping::tests)

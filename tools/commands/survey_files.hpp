@@ -1,10 +1,22 @@
 #pragma once
 #include <memory>
+#include <vector>
 
+#include "acquire/record/files_of_hits.hpp"
+#include "acquire/record/record.hpp"
 #include "cli/open_files.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss::tools {
+
+/// The groups of files that are hits of one point by their names, in the order of the files. Empty where a file states
+/// points of its own.
+std::vector<acquire::FilesOfHits> groups_of_files(const std::vector<acquire::Record>& records);
+
+/// The files of each group as hits of one point, with a note that says so. The points are 0, 1, … in the order of the
+/// groups.
+/// errors  InputError: as acquire::join_records()
+acquire::Record record_of_groups(std::vector<acquire::Record> records, const std::vector<acquire::FilesOfHits>& groups);
 
 /// The analysis of a survey's files. By default each file is a point. Files with names such as P1_1, P1_2, …
 /// (acquire::files_of_hits) are hits of one point P1 if the stated geometry decides so (pipeline::judge_named_files).

@@ -10,8 +10,9 @@ namespace percuss::identify {
 /// The amplitude of a mode in one hit, on the scale of a ScanShape.
 struct AmplitudeOfHit {
   double value = 0;
-  double std = 0;    // from the noise of the hit
-  double power = 1;  // its weight in the average over the hits of its point
+  double std = 0;       // from the noise of the hit
+  double power = 1;     // its weight in the average over the hits of its point
+  std::size_t hit = 0;  // the same number in all modes
 };
 
 /// A mode along a scan, and its amplitude in each hit: [points of the shape][hits].

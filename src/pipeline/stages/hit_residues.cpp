@@ -18,6 +18,7 @@ std::vector<std::vector<ModeInHit>> modes_in_hits(const identify::FrfDataset& se
       const identify::HitPole& pole = linear.poles[m].hits[h];
       if (!(pole.residue_ratio.weight > 0)) continue;
       out[m].push_back({.point = hits.points[h],
+                        .hit = h,
                         .power = hits.set.points[h].ff[line],
                         .relative_std = identify::gain_amplitude_std(hits.set, h, freq_Hz),
                         .residues = pole.residues});

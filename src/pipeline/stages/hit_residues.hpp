@@ -11,6 +11,7 @@ namespace percuss::pipeline {
 /// The residues of a mode in one hit.
 struct ModeInHit {
   std::size_t point = 0;                       // index into the points of the data set
+  std::size_t hit = 0;                         // index into the hits
   double power = 0;                            // |F|² at the mode's frequency: the weight of the hit in an average
   double relative_std = 0;                     // relative error that all residues share, from the noise of the force
   std::vector<identify::HitResidue> residues;  // [channels] HitResidue::residue is the index in Mode::residues

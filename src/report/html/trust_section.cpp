@@ -123,6 +123,7 @@ constexpr auto kPlaces = std::to_array<PlacedCode>({
     {"missing_points", PagePart::shapes},
     {"files_in_order", PagePart::shapes},
     {"missing_position", PagePart::shapes},
+    {"misplaced_hits", PagePart::shapes},
     {"mass_loading", PagePart::shapes},
 });
 

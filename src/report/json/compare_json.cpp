@@ -11,29 +11,41 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json family_json(const metrics::ComparedMode& mode) { return mode.family.empty() ? Json() : Json(mode.family); }
+Json order_json(const metrics::ComparedMode& mode) { return mode.order > 0 ? Json(mode.order) : Json(); }
+
 Json pairs_json(const Comparison& c) {
   Json pairs = Json::array();
   for (const metrics::ModePair& pair : c.modes.pairs) {
+    const metrics::ComparedMode &a = c.a.modes[pair.a], &b = c.b.modes[pair.b];
     pairs.push_back({{"a", pair.a},
                      {"b", pair.b},
-                     {"frequency_a_hz", c.a.modes[pair.a].freq_Hz},
-                     {"frequency_b_hz", c.b.modes[pair.b].freq_Hz},
+                     {"frequency_a_hz", a.freq_Hz},
+                     {"frequency_b_hz", b.freq_Hz},
                      {"difference_percent", pair.difference_percent},
                      {"difference_std_percent", or_null(pair.difference_std_percent)},
-                     {"damping_ratio_a", or_null(c.a.modes[pair.a].damping_ratio)},
-                     {"damping_ratio_b", or_null(c.b.modes[pair.b].damping_ratio)},
+                     {"damping_ratio_a", or_null(a.damping_ratio)},
+                     {"damping_ratio_b", or_null(b.damping_ratio)},
                      {"damping_difference_percent", or_null(pair.damping_difference_percent)},
                      {"damping_difference_std_percent", or_null(pair.damping_difference_std_percent)},
                      {"mac", pair.mac ? Json(pair.mac->value) : Json()},
-                     {"paired_by", pair.mac ? "shape" : "frequency"},
-                     {"exchangeable_a", pair.exchangeable_a}});
+                     {"paired_by", name_of(pair.by)},
+                     {"exchangeable_a", pair.exchangeable_a},
+                     {"family_a", family_json(a)},
+                     {"order_a", order_json(a)},
+                     {"family_b", family_json(b)},
+                     {"order_b", order_json(b)}});
   }
   return pairs;
 }
 
 Json unpaired_json(const metrics::ComparedDocument& document, const std::vector<std::size_t>& modes) {
   Json list = Json::array();
-  for (const std::size_t m : modes) list.push_back({{"index", m}, {"frequency_hz", document.modes[m].freq_Hz}});
+  for (const std::size_t m : modes) {
+    const metrics::ComparedMode& mode = document.modes[m];
+    list.push_back(
+        {{"index", m}, {"frequency_hz", mode.freq_Hz}, {"family", family_json(mode)}, {"order", order_json(mode)}});
+  }
   return list;
 }
 
@@ -50,11 +62,18 @@ Json deflections_json(const Comparison& c) {
   return list;
 }
 
+Json doubted_json(const std::vector<metrics::DoubtedOrders>& doubted) {
+  Json list = Json::array();
+  for (const metrics::DoubtedOrders& one : doubted) list.push_back({{"family", one.family}, {"from_order", one.from}});
+  return list;
+}
+
 Json comparison_json(const Comparison& c) {
   const bool inverted = c.a.model && !c.b.model;
   return {{"pairs", pairs_json(c)},
           {"unpaired_a", unpaired_json(c.a, c.modes.unpaired_a)},
           {"unpaired_b", unpaired_json(c.b, c.modes.unpaired_b)},
+          {"doubted_orders", doubted_json(c.modes.doubted_orders)},
           {"deflections", deflections_json(c)},
           {"ratio", inverted ? "a/b" : "b/a"}};
 }

@@ -20,7 +20,7 @@ constexpr std::uint64_t kLargest_bytes = std::uint64_t{256} << 20U;
 constexpr int kMaxDepth = 16;
 
 // All keys that are read below.
-constexpr std::array<std::string_view, 26> kWantedKeys = {"schema",
+constexpr std::array<std::string_view, 30> kWantedKeys = {"schema",
                                                           "runs",
                                                           "deflection",
                                                           "points",
@@ -45,7 +45,11 @@ constexpr std::array<std::string_view, 26> kWantedKeys = {"schema",
                                                           "at",
                                                           "peak_deflection_m",
                                                           "roving",
-                                                          "flugge_hz"};
+                                                          "flugge_hz",
+                                                          "order",
+                                                          "confidence",
+                                                          "support",
+                                                          "kind"};
 
 // A value of a document, and its location for messages.
 class Part {
@@ -123,6 +127,8 @@ metrics::ComparedMode mode_in(const Part& part, identify::Roving roving) {
                              .shape = {}};
   if (part.has("damping_ratio")) mode.damping_ratio = part.at("damping_ratio").number();
   mode.second = part.has("double_peak") && part.at("double_peak").is_false("first");
+  mode.order = whole(part.number_or("order", 0));
+  mode.confidence = part.number_or("confidence", 0);
   if (!part.has("residues")) return mode;
   identify::Mode with_residues;
   part.at("residues").for_each([&](const Part& residue) {
@@ -139,6 +145,17 @@ std::vector<metrics::ComparedMode> frequencies_in(const Part& list, const char* 
   std::vector<metrics::ComparedMode> modes;
   list.for_each(
       [&](const Part& value) { modes.push_back({.freq_Hz = value.number(), .family = family, .shape = {}}); });
+  return modes;
+}
+
+// The modes of a bat. The orders of a free one are those of a test of a free bat.
+std::vector<metrics::ComparedMode> bat_modes_in(const Part& part) {
+  std::vector<metrics::ComparedMode> modes = frequencies_in(part.at("frequency_hz"), "bending");
+  if (!part.has("support") || part.at("support").at("kind").text() != "free") return modes;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    modes[m].order = static_cast<int>(m) + 1;
+    modes[m].confidence = 1;
+  }
   return modes;
 }
 
@@ -203,8 +220,10 @@ std::vector<metrics::ComparedDocument> parse_documents(std::string_view text, co
   if (schema == "percuss/deflection/1") {
     document.model = false;
     add_deflections(top, document);
-  } else if (schema == "percuss/model-beam/1" || schema == "percuss/model-bat/1") {
+  } else if (schema == "percuss/model-beam/1") {
     document.modes = frequencies_in(top.at("frequency_hz"), "bending");
+  } else if (schema == "percuss/model-bat/1") {
+    document.modes = bat_modes_in(top);
   } else if (schema == "percuss/model-impact/1") {
     add_impacts(top, document);
   } else if (schema == "percuss/model-shell/1") {

@@ -53,6 +53,26 @@ TEST(ReadDocument, ComparesTheDirectionsOfARovingSensor) {
               121.0 / 126, kRounding);
 }
 
+TEST(ReadDocument, ReadsOrdersAndConfidences) {
+  const auto test = parse_documents(R"({"schema": "percuss/analysis/1", "modes": [)"
+                                    R"({"frequency_hz": 100, "family": "bending", "order": 2, "confidence": 0.97},)"
+                                    R"({"frequency_hz": 200, "family": "unknown", "order": null, "confidence": 0.4}]})",
+                                    "test.json");
+  EXPECT_EQ(test.at(0).modes.at(0).order, 2);
+  EXPECT_EQ(test.at(0).modes.at(0).confidence, 0.97);
+  EXPECT_EQ(test.at(0).modes.at(1).order, 0);
+  const auto orders_of = [](const std::string& support) {
+    std::vector<int> orders;
+    const auto bat = parse_documents(
+        R"({"schema": "percuss/model-bat/1", "frequency_hz": [170, 560], "support": {"kind": ")" + support + R"("}})",
+        "bat.json");
+    for (const metrics::ComparedMode& mode : bat.at(0).modes) orders.push_back(mode.order);
+    return orders;
+  };
+  EXPECT_EQ(orders_of("free"), (std::vector<int>{1, 2}));
+  EXPECT_EQ(orders_of("clamped"), (std::vector<int>{0, 0})) << "a held bat has other modes";
+}
+
 // A table of these points and channels would take 10^10 cells.
 TEST(ReadDocument, TakesTheMemoryOfItsResiduesAlone) {
   std::string residues;

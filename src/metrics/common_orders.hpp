@@ -1,0 +1,42 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "metrics/compare.hpp"
+
+namespace percuss::metrics {
+
+/// The orders that the modes of two documents state within their families. Only modes whose family has a confidence of
+/// 0.9 or more count. An order is a count from below, so that a mode that one document lacks moves all orders above it.
+/// The common orders are therefore compared from below, by ln(f_b/f_a) less that of the common order below: if a higher
+/// order of the other document is more than twice as near, orders from here on are in doubt. The orders of a family do
+/// not hold at all where no common order lies within `furthest`, relative to the
+/// first document.
+class CommonOrders {
+ public:
+  CommonOrders(const ComparedDocument& a, const ComparedDocument& b, double furthest);
+
+  /// Whether the orders of two modes, of any document, tell that they are the same or another mode.
+  bool hold(const ComparedMode& x, const ComparedMode& y) const;
+  /// Whether they are modes of different orders. One of the families may be uncertain: in another family, the modes
+  /// differ as well.
+  bool tell_apart(const ComparedMode& x, const ComparedMode& y) const;
+  /// The orders of a family that both documents state and that hold, ascending.
+  std::map<std::string, std::vector<int>> common() const;
+  std::vector<DoubtedOrders> doubted() const;
+
+ private:
+  // Whether both have an order in one family, of which the lower one holds.
+  bool within_common(const ComparedMode& x, const ComparedMode& y) const;
+
+  struct Family {
+    std::vector<int> orders;  // common to both documents, ascending
+    int doubted_from = 0;     // 0: none
+    bool any_near = false;    // a common order lies within the limit
+    bool holds(int order) const { return any_near && (doubted_from == 0 || order < doubted_from); }
+  };
+  std::map<std::string, Family> families_;
+};
+
+}  // namespace percuss::metrics
