@@ -105,6 +105,17 @@ TEST(RecordSource, KeepsADecayThatHumHides) {
   test::expect_modes_near(modes, {{kFreq_Hz, kDamping}, {1900, 0.01}});
 }
 
+// The phases of two hits do not tell hum from a mode, and the pre-trigger of 128 samples is less than a period. The
+// samples before it show the hum.
+TEST(RecordSource, FindsHumInTheSamplesBeforeTheHits) {
+  synth::SynthSpec spec = two_modes(2, 2);
+  spec.pretrigger_s = 0.2;
+  const Analysis analysis = analysis_of(with_hum(of_single_rows(spec), 10));
+  const auto& modes = analysis.modes();
+  EXPECT_THAT(test::codes_of(analysis.warnings()), Contains("hum"));
+  test::expect_modes_near(modes, {{kFreq_Hz, kDamping}, {1900, 0.01}});
+}
+
 TEST(RecordSource, UsesAStatedLength) {
   const Analysis analysis(synth::synthesise(several_in_a_row(24, 4)).record,
                           {.band_Hz = std::pair{kLow_Hz, kHigh_Hz}, .hits = {.length_s = 3.0}, .threads = 1});
