@@ -1,6 +1,7 @@
 #include "pipeline/analysis.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/error.hpp"
@@ -13,6 +14,12 @@
 #include "pipeline/source/record_source.hpp"
 
 namespace percuss::pipeline {
+namespace {
+
+constexpr std::size_t kToneReach = 2;  // times the length of the transforms; later, the phase of hum may have wandered
+constexpr double kMaxUsedPart = 0.97;  // of the samples, where the transforms leave some out; fast lengths use 0.99
+
+}  // namespace
 
 Analysis::Analysis(acquire::Record record, AnalysisOptions options)
     : source_(std::make_shared<RecordSource>(std::move(record))),
@@ -65,6 +72,16 @@ const acquire::LineRange& Analysis::lines() const {
   });
 }
 
+std::optional<DecayCut> Analysis::decay_cut() const {
+  if (given_frfs() != nullptr || options_.hits.length_s) return std::nullopt;
+  const auto used = static_cast<double>(lines().samples);
+  const double fs_Hz = record().fs_Hz;
+  const auto all =
+      static_cast<double>(common_samples(record(), force_hits(), samples_without_data(corrected_delays(), fs_Hz)));
+  if (used > kMaxUsedPart * all) return std::nullopt;
+  return DecayCut{.used_s = used / fs_Hz, .all_s = all / fs_Hz};
+}
+
 acquire::LineRange Analysis::band_lines() const {
   const auto [low_Hz, high_Hz] = band_Hz();
   const acquire::LineRange& all = lines();
@@ -82,7 +99,12 @@ double Analysis::window_decay_per_s() const {
 }
 
 TransformOptions Analysis::transform_options() const {
-  return {.lines = lines(), .window_decay_per_s = window_decay_per_s(), .threads = options_.threads};
+  TransformOptions out{.lines = lines(), .window_decay_per_s = window_decay_per_s(), .threads = options_.threads};
+  if (const std::optional<DecayCut> cut = decay_cut()) {
+    const double all = cut->all_s * record().fs_Hz;
+    out.tone_samples = std::min(kToneReach * out.lines.samples, static_cast<std::size_t>(std::llround(all)));
+  }
+  return out;
 }
 
 const HitResponses& Analysis::responses() const {

@@ -98,7 +98,7 @@ std::vector<Warning> Analysis::warnings() const {
     add(freq_scatter_warnings(modes(), force_known ? order_of_points(graded) : std::map<int, double>{}));
     add(hit_scatter_warnings(modes(), residual_end_Hz_));
     add(mass_loading_warnings(modes()));
-    add(truncation_warnings(modes(), lines(), window_decay_per_s(), force_known));
+    add(truncation_warnings(modes(), lines(), window_decay_per_s(), force_known, decay_cut()));
     add(no_modes_warnings(modes(), band_Hz(), !options_.modes.start_Hz.empty()));
     if (!user_chose_modes) add(local_fit_warnings(modes()));
     add(refused_start_warnings(refused_starts_));

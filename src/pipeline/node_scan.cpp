@@ -111,8 +111,8 @@ std::vector<identify::HitsAlongScan> hits_along_scan(const Analysis& analysis, c
   return modes;
 }
 
-// The shapes with their standard deviations. If the hits scatter about their places, the scatter of all points and modes
-// together gives the standard deviations, because two or three hits do not determine the scatter of one point.
+// The shapes with their standard deviations. If the hits scatter about their places, the scatter of all points and
+// modes together gives the standard deviations, because two or three hits do not determine the scatter of one point.
 std::vector<identify::ScanShape> shapes_of(const std::vector<identify::HitsAlongScan>& modes) {
   const auto scatter = identify::scatter_along_scan(modes);
   std::vector<identify::ScanShape> shapes;

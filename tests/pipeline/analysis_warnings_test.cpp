@@ -291,6 +291,24 @@ TEST(Warnings, NameModesThatRingWhenTheRecordEnds) {
               Contains(AllOf(HasSubstr("truncated_decay: "), HasSubstr("200.0 Hz"), Not(HasSubstr("1900")))));
 }
 
+// Several hits in a row, of which the analysis uses the part above the noise. The lower mode ends in the noise.
+TEST(Warnings, SayThatTheAnalysisEndsADecayInNoise) {
+  synth::SynthSpec spec = test::bending_and_hoop_spec(20);
+  spec.layout = synth::SynthLayout::continuous;
+  spec.noise.accel = 0.1;
+  const acquire::Record record = synth::synthesise(spec).record;
+  EXPECT_THAT(warnings_of(record),
+              Contains(AllOf(HasSubstr("truncated_decay: the analysis uses the first 0."),
+                             HasSubstr(" s of each hit, of "), HasSubstr("200."), HasSubstr("; state a length of "))));
+  AnalysisOptions whole = band();
+  whole.hits.length_s = 4;
+  EXPECT_THAT(warnings_of(record, whole), Not(Contains(HasSubstr("truncated_decay"))));
+  const Analysis analysis(record, band());
+  analysis.modes();
+  EXPECT_THAT(analysis.warnings(), Contains(AllOf(Field(&Warning::code, "truncated_decay"),
+                                                  Field(&Warning::options, ElementsAre("length")))));
+}
+
 TEST(Warnings, NameNoPeaksWhenTheUserChoseTheModes) {
   AnalysisOptions by_frequency = band(), by_number = band();
   by_frequency.modes.start_Hz = {200};

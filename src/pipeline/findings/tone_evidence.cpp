@@ -51,11 +51,14 @@ bool has_free_phase(std::span<const ToneSignal> signals, const std::vector<Compl
 bool is_there_before(std::span<const ToneSignal> signals, const std::vector<Complex>& amplitude, double turns) {
   double product = 0, square = 0, energy = 0, count = 0;
   for (std::size_t s = 0; s < signals.size(); ++s) {
-    const auto quiet = signals[s].x.first(signals[s].quiet);
+    const auto before = signals[s].before, rest = signals[s].x.first(signals[s].quiet);
+    std::vector<double> quiet(before.begin(), before.end());
+    quiet.insert(quiet.end(), rest.begin(), rest.end());
     std::vector<double> tone(quiet.size());
+    const auto first = -static_cast<double>(before.size());
     double mean = 0, tone_mean = 0;
     for (std::size_t n = 0; n < quiet.size(); ++n) {
-      tone[n] = (amplitude[s] * std::polar(1.0, kTwoPi * turns * static_cast<double>(n))).real();
+      tone[n] = (amplitude[s] * std::polar(1.0, kTwoPi * turns * (first + static_cast<double>(n)))).real();
       mean += quiet[n] / static_cast<double>(quiet.size());
       tone_mean += tone[n] / static_cast<double>(quiet.size());
     }

@@ -26,6 +26,8 @@ struct ToneSignal {
   std::size_t pulse_first = 0;      // its first sample
   std::size_t quiet = 0;            // samples before the hit
   double largest = 0;               // |x|
+  // The samples of the row just before x; may be empty. An earlier blow may still ring in them.
+  std::span<const double> before{};
 };
 
 struct ToneFit {

@@ -17,6 +17,7 @@ constexpr double kMaterialFault = 1e-9;  // of the largest response: smaller fau
 constexpr std::size_t kAfterPulse = 16;  // samples: the force still acts
 constexpr std::size_t kSearchStep = 80;  // samples: a diagnosis reaches 44 to either side
 constexpr double kEarlyPart = 0.25;      // of the decay: it is searched everywhere
+constexpr double kToneBefore_s = 0.1;    // before a hit: some periods of hum
 constexpr std::size_t kSameFault = 48;   // samples: nearer suspects are one fault
 
 using Samples = std::vector<std::vector<double>>;  // [channels]
@@ -40,13 +41,23 @@ std::vector<std::size_t> suspects(const std::vector<HitResponse>& responses, con
   return all;
 }
 
-Samples read_all(const acquire::Record& record, const acquire::Hit& hit, std::size_t samples) {
+Samples read_from(const acquire::Record& record, const acquire::Hit& hit, std::size_t first, std::size_t samples) {
   Samples out(record.accel.size());
   for (std::size_t c = 0; c < out.size(); ++c) {
     out[c].resize(samples);
-    record.read_accel_mps2(hit.row, c, hit.first, out[c]);
+    record.read_accel_mps2(hit.row, c, first, out[c]);
   }
   return out;
+}
+
+Samples read_all(const acquire::Record& record, const acquire::Hit& hit, std::size_t samples) {
+  return read_from(record, hit, hit.first, samples);
+}
+
+// The samples of the row just before those of the hit.
+Samples read_before(const acquire::Record& record, const acquire::Hit& hit) {
+  const std::size_t samples = std::min(hit.first, static_cast<std::size_t>(kToneBefore_s * record.fs_Hz));
+  return read_from(record, hit, hit.first - samples, samples);
 }
 
 std::vector<std::span<const double>> views_of(const Samples& samples) { return {samples.begin(), samples.end()}; }
@@ -128,7 +139,7 @@ Samples corrected_hit(HitFaults& found, HitResponses& responses, const acquire::
 }
 
 std::vector<ToneSignal> signals_of(const HitResponses& responses, const acquire::Hit& hit, std::size_t h,
-                                   const Samples& samples) {
+                                   const Samples& samples, const Samples& before) {
   std::vector<ToneSignal> signals;
   for (std::size_t c = 0; c < samples.size(); ++c) {
     signals.push_back({.x = samples[c],
@@ -136,7 +147,8 @@ std::vector<ToneSignal> signals_of(const HitResponses& responses, const acquire:
                        .pulse_N = hit.gated_N,
                        .pulse_first = hit.gate_first - hit.first,
                        .quiet = hit.gate_first > hit.first ? hit.gate_first - hit.first : 0,
-                       .largest = responses.of[h][c].grade.extremes.max_distance_from(0)});
+                       .largest = responses.of[h][c].grade.extremes.max_distance_from(0),
+                       .before = before[c]});
   }
   return signals;
 }
@@ -151,28 +163,37 @@ std::vector<double> candidates_for_tones(const std::vector<HitResponse>& respons
   return all;
 }
 
-// Searches the first hit for tones, and all hits if it has some. Subtracts the tones from the samples of all hits.
+// Searches the first hit for tones, and all hits if it has some. Subtracts the tones from the samples of all hits. Hits
+// with corrected samples are searched in these alone: inserted samples would move those after them.
 void remove_tones(HitResponses& responses, std::vector<Samples>& corrected, const acquire::Record& record,
                   const std::vector<AnalysedHit>& hits, const TransformOptions& options) {
   const std::vector<std::size_t> used = accepted_hits(hits);
+  const bool any_corrected =
+      std::any_of(corrected.begin(), corrected.end(), [](const Samples& samples) { return !samples.empty(); });
+  const std::size_t searched =
+      any_corrected ? options.lines.samples : std::max(options.lines.samples, options.tone_samples);
   const auto samples_of = [&](std::size_t u) {
-    return corrected[u].empty() ? read_all(record, hits[used[u]].hit, options.lines.samples) : corrected[u];
+    return corrected[u].empty() ? read_all(record, hits[used[u]].hit, searched) : corrected[u];
   };
   std::vector<double> candidates = candidates_for_tones(responses.of[used[0]], corrected[0]);
   if (candidates.empty()) return;
-  std::vector<Samples> samples(used.size());
+  std::vector<Samples> samples(used.size()), before(used.size());
   std::vector<ToneSignal> signals;
   for (std::size_t u = 0; u < used.size(); ++u) {
     samples[u] = samples_of(u);
-    const auto of_hit = signals_of(responses, hits[used[u]].hit, used[u], samples[u]);
+    before[u] = read_before(record, hits[used[u]].hit);
+    const auto of_hit = signals_of(responses, hits[used[u]].hit, used[u], samples[u], before[u]);
     signals.insert(signals.end(), of_hit.begin(), of_hit.end());
   }
   const ToneFit fit = find_tones(signals, std::move(candidates), record.fs_Hz);
   if (fit.tones.empty()) return;
   responses.tones = fit.tones;
   const std::size_t channels = record.accel.size();
-  parallel_for(signals.size(), options.threads,
-               [&](std::size_t s) { subtract_tones(fit, s, record.fs_Hz, samples[s / channels][s % channels]); });
+  parallel_for(signals.size(), options.threads, [&](std::size_t s) {
+    std::vector<double>& x = samples[s / channels][s % channels];
+    x.resize(options.lines.samples);
+    subtract_tones(fit, s, record.fs_Hz, x);
+  });
   corrected = std::move(samples);
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "acquire/hits/decaying_lines.hpp"
 #include "acquire/record/record.hpp"
 #include "core/math/fft.hpp"
 #include "core/trace.hpp"
@@ -23,6 +24,9 @@ struct TransformOptions {
   acquire::LineRange lines;
   double window_decay_per_s = 0;
   std::size_t threads = 0;
+  // Samples of each response in which tones are searched, more than the lines have where a decay was cut: only the
+  // tones are left at their end. 0: those of the lines.
+  std::size_t tone_samples = 0;
 };
 
 /// One response to one hit.
@@ -49,6 +53,11 @@ struct HitResponses {
   std::vector<Tone> tones{};                 // removed before the transform
 };
 
+/// The time of each hit that the transforms use, and the time that all hits have.
+struct DecayCut {
+  double used_s = 0, all_s = 0;
+};
+
 /// Reads, grades and transforms the responses to the accepted hits. Stages: "read acceleration", "fft".
 HitResponses read_responses(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                             const TransformOptions& options, Trace& trace);
@@ -57,9 +66,14 @@ HitResponses read_responses(const acquire::Record& record, const std::vector<Ana
 std::vector<frf::Spectrum> force_spectra(const std::vector<AnalysedHit>& hits, const TransformOptions& options,
                                          Trace& trace);
 
-/// Samples until the slowest response to an accepted hit has decayed into the noise. Later samples add
-/// only noise to a transform. Stage: "decay".
-std::size_t longest_decay_samples(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
-                                  std::size_t threads, Trace& trace);
+/// Samples that all accepted hits have. The last `missing_samples` of a row have no data. Needs an accepted hit.
+std::size_t common_samples(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                           std::size_t missing_samples);
+
+/// Samples until the slowest response to an accepted hit has decayed into the noise, at most `most`. Later samples add
+/// only noise to a transform: in the largest hit of each point, no spectral line of the band decays after them.
+/// Stages: "decay", "decaying lines".
+std::size_t longest_decay_samples(const acquire::Record& record, const std::vector<AnalysedHit>& hits, std::size_t most,
+                                  const acquire::RelativeBand& band, std::size_t threads, Trace& trace);
 
 }  // namespace percuss::pipeline

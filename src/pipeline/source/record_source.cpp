@@ -13,9 +13,18 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kAntiAlias = 0.44;  // of fs: above it a recorder's filter shapes the FRF
-// Samples. In longer rows the end of the decay is searched first; that costs less than transforming the whole row.
+// Samples. In longer rows, and in those with several hits, the end of the decay is searched first; that costs less than
+// transforming everything.
 constexpr std::size_t kLongRow = std::size_t{1} << 17U;
+constexpr double kMinLowEnd = 1e-3;  // of the high end of the band: lower lines need long segments to see them decay
 constexpr double kUsableBandwidthFactor = 1.2;  // of the −20 dB bandwidth: limit of the margin
+
+// Hits are ascending by row.
+bool any_row_has_several(const std::vector<AnalysedHit>& hits) {
+  return std::adjacent_find(hits.begin(), hits.end(), [](const AnalysedHit& a, const AnalysedHit& b) {
+           return a.hit.row == b.hit.row;
+         }) != hits.end();
+}
 
 }  // namespace
 
@@ -53,19 +62,14 @@ std::pair<double, double> RecordSource::default_band_Hz(const std::vector<Analys
 // The common length of the hits' transforms.
 std::size_t RecordSource::block_samples(const LineRequest& request, const std::vector<AnalysedHit>& hits,
                                         Trace& trace) const {
-  const std::vector<std::size_t> used = accepted_hits(hits);
-  require_accepted(hits);
-  std::size_t samples = hits[used.front()].hit.samples;
-  for (const std::size_t h : used) {
-    const acquire::Hit& hit = hits[h].hit;
-    const std::size_t row = record_.rows[hit.row].samples;
-    const std::size_t filled = row - std::min(row, request.missing_samples);
-    samples = std::min({samples, hit.samples, filled - std::min(filled, hit.first)});
-  }
+  const std::size_t samples = common_samples(record_, hits, request.missing_samples);
   const bool searched = record_.continuous || record_.rows.size() == 1;
-  if (!searched && samples < kLongRow) return samples;
-  if (!request.length_given) samples = std::min(samples, longest_decay_samples(record_, hits, request.threads, trace));
-  return fast_length_at_most(samples);
+  const bool whole = samples < kLongRow && !(searched && any_row_has_several(hits));
+  if (!searched && whole) return samples;
+  if (whole || request.length_given) return fast_length_at_most(samples);
+  const auto [low_Hz, high_Hz] = request.band_Hz;
+  const acquire::RelativeBand band{std::max(low_Hz, kMinLowEnd * high_Hz) / record_.fs_Hz, high_Hz / record_.fs_Hz};
+  return fast_length_at_most(longest_decay_samples(record_, hits, samples, band, request.threads, trace));
 }
 
 void RecordSource::require_band(const LineRequest& request) const {
@@ -79,12 +83,13 @@ void RecordSource::require_band(const LineRequest& request) const {
 
 acquire::LineRange RecordSource::choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,
                                               Trace& trace) const {
+  require_accepted(hits);
+  require_band(request);
   const std::size_t samples = block_samples(request, hits, trace);
   double bandwidth_Hz = 0;
   for (const AnalysedHit& hit : hits) {
     if (hit.accepted) bandwidth_Hz = std::max(bandwidth_Hz, hit.hit.bandwidth_Hz);
   }
-  require_band(request);
   const auto [low_Hz, high_Hz] = request.band_Hz;
   const auto [from_Hz, to_Hz] = band_with_margin(low_Hz, high_Hz);
   const double top_Hz =

@@ -58,7 +58,8 @@ std::vector<Warning> pretrigger_warnings(const acquire::Record& record, const st
 }
 
 std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& modes, const acquire::LineRange& lines,
-                                         double window_decay_per_s, bool force_known) {
+                                         double window_decay_per_s, bool force_known,
+                                         const std::optional<DecayCut>& cut) {
   std::string ringing;
   for (const identify::Mode& mode : modes) {
     const double remaining = identify::remaining_amplitude(mode.pole, lines, window_decay_per_s);
@@ -66,6 +67,16 @@ std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& mode
       ringing += fmt::format("{}{:.1f} Hz ({:.1f} %)", ringing.empty() ? "" : ", ", mode.pole.freq_Hz, remaining * 100);
   }
   if (ringing.empty()) return {};
+  if (force_known && cut) {
+    return {with_remedy(
+        {"truncated_decay",
+         fmt::format("the analysis uses the first {:.3g} s of each hit, of {:.3g} s: only a steady background is seen "
+                     "after them. These modes then still have this part of their amplitude: {}; the fit of the damping "
+                     "allows for the missing decay",
+                     cut->used_s, cut->all_s, ringing),
+         {"length"}},
+        fmt::format("state a length of {:.3g} s to use all samples", cut->all_s))};
+  }
   if (force_known) {
     return {{"truncated_decay", "these modes still ring when the samples end, with this part of their amplitude: " +
                                     ringing + "; the fit of the damping allows for the missing decay"}};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/error.hpp"
@@ -85,13 +86,21 @@ void add_signals(const pipeline::Analysis& analysis, Sentences& out) {
       options.hits.gate_force
           ? "The force entered the transforms within a gate around each pulse, and as zero elsewhere (1.4)."
           : "The whole force record entered the transforms, with its noise.");
+  const std::optional<pipeline::DecayCut> cut = analysis.decay_cut();
+  if (cut) {
+    out.push_back(
+        fmt::format("The first {:.3g} s of each hit entered the transforms, of {:.3g} s: only a steady "
+                    "background was seen after them.",
+                    cut->used_s, cut->all_s));
+  }
   out.push_back(
       options.exponential_end > 0
           ? fmt::format("An exponential window fell to {:g} at the end of each hit (2.2); the damping that it "
                         "adds was taken out exactly (3.5).",
                         options.exponential_end)
-          : "No window was applied to the responses; the decay that a record cuts off is part of the model "
-            "(3.3).");
+      : cut ? "No window was applied to the responses; the decay after these samples is part of the model (3.3)."
+            : "No window was applied to the responses; the decay that a record cuts off is part of the model "
+              "(3.3).");
   const auto& delays = analysis.corrected_delays();
   if (!delays.empty()) {
     out.emplace_back(options.delays.automatic ? "Delays of channels that the phases of the modes show were taken out."

@@ -123,6 +123,23 @@ TEST(MethodSentences, SayThatOtherModesTookPartInTheFit) {
   EXPECT_THAT(method({}), testing::Not(testing::Contains(HasSubstr("took part"))));
 }
 
+TEST(MethodSentences, SayWhichPartOfEachHitWasUsed) {
+  synth::SynthSpec spec = test::bat_spec({{.freq_Hz = 200, .damping_ratio = 0.02}}, 20);
+  spec.noise = {.force = 1e-4, .accel = 1e-3};
+  const auto sentences = [&](std::optional<double> length_s) {
+    const pipeline::Analysis analysis(
+        synth::synthesise(spec).record,
+        {.band_Hz = std::pair{100.0, 400.0}, .hits = {.length_s = length_s}, .threads = 1});
+    return method_sentences(analysis, {.modes = false});
+  };
+  const auto part = testing::AllOf(HasSubstr("The first 0."), HasSubstr(" s of each hit entered the transforms, of "));
+  const auto cut_off = HasSubstr("the decay that a record cuts off is part of the model");
+  spec.layout = synth::SynthLayout::continuous;
+  EXPECT_THAT(sentences(std::nullopt), testing::Contains(part));
+  EXPECT_THAT(sentences(std::nullopt), testing::Not(testing::Contains(cut_off)));
+  EXPECT_THAT(sentences(2), testing::AllOf(testing::Not(testing::Contains(part)), testing::Contains(cut_off)));
+}
+
 TEST(FitSentences, NameTheExceptionsAndThePartsOfTheDeviations) {
   std::vector<identify::Mode> modes(3);
   EXPECT_THAT(fit_sentences(modes), testing::ElementsAre(HasSubstr("from the noise (4.12) alone.")));
