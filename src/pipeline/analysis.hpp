@@ -11,6 +11,7 @@
 #include "core/budget.hpp"
 #include "core/lazy.hpp"
 #include "core/trace.hpp"
+#include "identify/classify/three_waves.hpp"
 #include "identify/model/frf_synthesis.hpp"
 #include "identify/start/unmodelled_peaks.hpp"
 #include "identify/started_modes.hpp"
@@ -136,6 +137,8 @@ class Analysis {
   // measured_spectra() without the earlier ringing.
   TestSpectra spectra() const;
   identify::IdentifyOptions all_modes() const;
+  std::vector<identify::ModeClassification> types_below() const;  // of modes_below(), as modes of a tube
+  identify::LowerTubeModes modes_of_lower_orders() const;
   // The modes of the starting frequencies that name no mode found.
   void add_started_modes(std::vector<identify::Mode>& found) const;
   // Leaves out the modes that no starting frequency names, if there are any.
