@@ -78,6 +78,8 @@ struct ModeClassification {
   std::optional<std::complex<double>> ratio{};  // residue of the second sensor over the residue of the first
   double ratio_std = 0;                         // of the real and of the imaginary part
   std::optional<SplitMode> split_mode{};
+  bool possible_three_waves = false;  // it may have n = 3 waves around the barrel; `confidence` counts this
+  bool order_uncertain = false;       // bending: the order counts on modes below that may have three waves
 };
 
 /// A warning about a result.

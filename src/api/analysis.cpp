@@ -57,7 +57,9 @@ std::vector<ModeClassification> classifications_of(const std::vector<identify::M
                           .overlay_dB = from.overlay_dB,
                           .overlaid = from.overlaid,
                           .ratio = from.ratio,
-                          .ratio_std = from.ratio_std};
+                          .ratio_std = from.ratio_std,
+                          .possible_three_waves = from.possible_three_waves,
+                          .order_uncertain = from.order_uncertain};
     if (from.alternative) to.alternative = type_of(*from.alternative);
     if (from.split_mode) {
       to.split_mode = SplitMode{.partner = from.split_mode->partner,

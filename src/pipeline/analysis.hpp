@@ -12,6 +12,7 @@
 #include "core/budget.hpp"
 #include "core/lazy.hpp"
 #include "core/trace.hpp"
+#include "identify/classify/three_waves.hpp"
 #include "identify/hits/hit_frfs.hpp"
 #include "identify/model/frf_synthesis.hpp"
 #include "identify/start/unmodelled_peaks.hpp"
@@ -146,6 +147,8 @@ class Analysis {
   // H1 of the accepted hits, as measured.
   const identify::FrfDataset& averaged_frfs() const;
   identify::IdentifyOptions all_modes() const;
+  std::vector<identify::ModeClassification> types_below() const;  // of modes_below(), as modes of a tube
+  identify::LowerTubeModes modes_of_lower_orders() const;
   // Adds the modes of the starting frequencies that name no mode found (identify::with_started_modes).
   void add_started_modes(std::vector<identify::Mode>& found) const;
   // Fits the modes again, to FRFs without the drift that they have in common, if they have one.

@@ -173,6 +173,12 @@ const std::vector<identify::ModeClassification>& Analysis::classifications() con
       if (!options_.modes.start_Hz.empty()) mode.order = 0;  // lower modes need not be among the stated ones
       if (mode.order > 0) mode.order += mode.type == identify::ModeType::hoop ? lower.hoop : lower.bending;
     }
+    const auto sensors = sensor_pair(record().accel);
+    // The lowest hoop mode of the barrel is below the band.
+    if (lower.hoop > 0 && sensors) {
+      const auto ratios = identify::three_over_bending(modes(), *sensors, options_.classes);
+      identify::allow_three_waves(modes(), out, ratios, modes_of_lower_orders());
+    }
     return out;
   });
 }

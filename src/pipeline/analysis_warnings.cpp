@@ -19,6 +19,7 @@
 #include "pipeline/warnings/ranking.hpp"
 #include "pipeline/warnings/record_findings.hpp"
 #include "pipeline/warnings/role_warnings.hpp"
+#include "pipeline/warnings/three_wave_warnings.hpp"
 #include "pipeline/warnings/truncation_warnings.hpp"
 #include "pipeline/warnings/tube_warnings.hpp"
 #include "pipeline/warnings/used_hit_warnings.hpp"
@@ -115,6 +116,7 @@ std::vector<Warning> Analysis::warnings() const {
     if (std::any_of(of_tube.begin(), of_tube.end(), is("units_differ"))) std::erase_if(out, is("implausible_motion"));
     add(of_tube);
     add(split_mode_warnings(modes(), classifications()));
+    add(three_wave_warnings(modes(), classifications()));
   }
   remove_consequences_of_window(out);
   if (has_reversed_phase(record())) remove_consequences_of_reversed_phase(out);

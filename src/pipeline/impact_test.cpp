@@ -13,6 +13,7 @@
 #include "core/parallel/parallel.hpp"
 #include "core/units.hpp"
 #include "identify/model/truncation.hpp"
+#include "metrics/deflection/baseline_noise.hpp"
 #include "pipeline/hits/motion_before.hpp"
 #include "pipeline/impact_speed.hpp"
 #include "pipeline/impacts.hpp"
@@ -42,34 +43,49 @@ std::vector<metrics::ModalContribution> modal_contributions(const Analysis& anal
   return contributions;
 }
 
-DeflectedHit deflected(const acquire::Record& record, const AnalysedHit& hit, const ImpactTestOptions& options,
-                       std::size_t h, std::size_t first, std::size_t channel,
-                       const std::vector<metrics::ModalContribution>& modes, metrics::DeflectionMethod method) {
+// The signals of one hit at one accelerometer, from the sample `first` on.
+struct HitSignals {
+  std::vector<double> accel, force;
+  metrics::ImpactSignal impact;  // refers to them
+};
+
+HitSignals signals_of(const acquire::Record& record, const AnalysedHit& hit, const ImpactTestOptions& options,
+                      std::size_t first, std::size_t channel, const std::vector<metrics::ModalContribution>& modes) {
   const std::size_t samples = hit.hit.first + hit.hit.samples - first;
-  std::vector<double> accel(samples), force(samples);
-  record.read_accel_mps2(hit.hit.row, channel, first, accel);
+  HitSignals out{.accel = std::vector<double>(samples), .force = {}, .impact = {}};
+  record.read_accel_mps2(hit.hit.row, channel, first, out.accel);
   if (!modes.empty() || options.effective_mass_kg) {
+    out.force.resize(samples);
     for (std::size_t i = 0; i < hit.hit.gated_N.size(); ++i) {
       const std::size_t at = hit.hit.gate_first + i - first;
-      if (at < force.size()) force[at] = hit.hit.gated_N[i];
+      if (at < out.force.size()) out.force[at] = hit.hit.gated_N[i];
     }
-  } else {
-    force.clear();
   }
-  const metrics::ImpactSignal signal{.fs_Hz = record.fs_Hz,
-                                     .accel_mps2 = accel,
-                                     .onset_s = hit.hit.onset_s - static_cast<double>(first) / record.fs_Hz,
-                                     .force_N = force,
-                                     .force_noise_N = hit.hit.noise_N,
-                                     .rigid_per_kg = options.effective_mass_kg ? 1 / *options.effective_mass_kg : 0,
-                                     .modes = modes};
-  metrics::DeflectionOptions chosen = options.deflection;
-  chosen.method = method;
-  return {.hit = h,
-          .channel = channel,
-          .point = hit.point,
-          .first_s = static_cast<double>(first) / record.fs_Hz,
-          .deflection = metrics::deflection_of(signal, chosen)};
+  out.impact = {.fs_Hz = record.fs_Hz,
+                .accel_mps2 = out.accel,
+                .onset_s = hit.hit.onset_s - static_cast<double>(first) / record.fs_Hz,
+                .force_N = out.force,
+                .force_noise_N = hit.hit.noise_N,
+                .rigid_per_kg = options.effective_mass_kg ? 1 / *options.effective_mass_kg : 0,
+                .modes = modes};
+  return out;
+}
+
+// The strength of each sensor's 1/f noise, from all its hits. evidence: hit by hit, channel by channel.
+std::vector<double> flicker_strengths(const std::vector<std::vector<double>>& evidence, std::size_t channels) {
+  std::vector<double> strengths;
+  for (std::size_t c = 0; c < channels; ++c) {
+    std::vector<double> sum;
+    for (std::size_t i = c; i < evidence.size(); i += channels) {
+      if (sum.empty()) {
+        sum = evidence[i];
+      } else if (!evidence[i].empty()) {
+        std::transform(sum.begin(), sum.end(), evidence[i].begin(), sum.begin(), std::plus<>());
+      }
+    }
+    strengths.push_back(metrics::flicker_strength(sum));
+  }
+  return strengths;
 }
 
 using PositionOf = std::function<std::optional<double>(int point)>;
@@ -185,19 +201,42 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   test.hits.resize(hits.size() * channels);
   const BudgetScope scope(analysis.budget());
   analysis.trace().run("deflection", [&] {
+    const auto first_sample = [&](std::size_t i) {
+      const std::size_t h = hits[i / channels];
+      return moving[i / channels] ? impacts[h].hit.first
+                                  : first_sample_of_impact(record, analysis.options().hits, impacts, h);
+    };
+    const auto signals = [&](std::size_t i) {
+      const std::size_t h = hits[i / channels], c = i % channels;
+      return signals_of(record, impacts[h], options, first_sample(i), c, contributions.at({impacts[h].point, c}));
+    };
+    const bool integrates =
+        method == metrics::DeflectionMethod::automatic || method == metrics::DeflectionMethod::drift_free;
+    // A hit before which the structure moves tells nothing of the noise.
+    std::vector<std::vector<double>> evidence(test.hits.size());
+    if (integrates) {
+      parallel_for(test.hits.size(), analysis.options().threads, [&](std::size_t i) {
+        if (!moving[i / channels]) evidence[i] = metrics::flicker_evidence(signals(i).impact, options.deflection);
+      });
+    }
+    const std::vector<double> strengths = flicker_strengths(evidence, channels);
     parallel_for(test.hits.size(), analysis.options().threads, [&](std::size_t i) {
       const std::size_t h = hits[i / channels], c = i % channels;
-      const auto& modes = contributions.at({impacts[h].point, c});
-      const bool by_modes = method == metrics::DeflectionMethod::automatic && moving[i / channels] && !modes.empty();
-      const std::size_t first = moving[i / channels]
-                                    ? impacts[h].hit.first
-                                    : first_sample_of_impact(record, analysis.options().hits, impacts, h);
-      test.hits[i] = deflected(record, impacts[h], options, h, first, c, modes,
-                               by_modes ? metrics::DeflectionMethod::modal : method);
+      HitSignals hit = signals(i);
+      if (integrates) hit.impact.flicker_strength = strengths[c];
+      metrics::DeflectionOptions chosen = options.deflection;
+      const bool by_modes =
+          method == metrics::DeflectionMethod::automatic && moving[i / channels] && !hit.impact.modes.empty();
+      if (by_modes) chosen.method = metrics::DeflectionMethod::modal;
+      test.hits[i] = {.hit = h,
+                      .channel = c,
+                      .point = impacts[h].point,
+                      .position_m = position_of(impacts[h].point),
+                      .first_s = static_cast<double>(first_sample(i)) / record.fs_Hz,
+                      .deflection = metrics::deflection_of(hit.impact, chosen)};
     });
     return 0;
   });
-  for (DeflectedHit& hit : test.hits) hit.position_m = position_of(hit.point);
   test.points = averaged(test.hits, position_of);
   DeflectionResults results{.without_pulse = impacts_without_pulse(impacts, analysis.options()),
                             .impacts = impacts.size(),

@@ -45,18 +45,24 @@ const std::vector<identify::Mode>& Analysis::modes_below() const {
   });
 }
 
+std::vector<identify::ModeClassification> Analysis::types_below() const {
+  identify::ClassifyOptions classes = options_.classes;
+  classes.object = identify::ObjectKind::tube;
+  return classify_modes(modes_below(), fitted_frfs(), record().accel, classes);
+}
+
+identify::LowerTubeModes Analysis::modes_of_lower_orders() const {
+  return identify::lower_tube_modes(modes_below(), types_below(), lower_orders(), options_.classes);
+}
+
 const identify::LowerOrders& Analysis::lower_orders() const {
   return within_budget(budget_, lower_orders_, [&] {
     const auto& found = types();
     const bool tube = std::any_of(found.begin(), found.end(), [](const auto& type) { return type.order > 0; });
     if (!tube || !options_.modes.start_Hz.empty()) return identify::LowerOrders{};
     const std::vector<identify::Mode>& below = modes_below();
-    return trace_.run("lower orders", [&] {
-      identify::ClassifyOptions classes = options_.classes;
-      classes.object = identify::ObjectKind::tube;
-      const auto below_types = classify_modes(below, fitted_frfs(), record().accel, classes);
-      return identify::lower_orders(below, below_types, modes(), found, options_.classes);
-    });
+    return trace_.run("lower orders",
+                      [&] { return identify::lower_orders(below, types_below(), modes(), found, options_.classes); });
   });
 }
 

@@ -16,6 +16,7 @@
 #include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
 #include "pipeline/warnings/reference_warnings.hpp"
+#include "pipeline/warnings/three_wave_warnings.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -45,6 +46,8 @@ void classify_by_tube(identify::ModeClassification& classification, const identi
   classification.type = type;
   classification.confidence = tube.confidence;
   classification.alternative.reset();
+  classification.possible_three_waves = false;
+  classification.order_uncertain = false;
   if (!sure) classification.alternative = second_type(tube);
 }
 
@@ -260,7 +263,9 @@ std::vector<Warning> Survey::warnings() const {
   std::vector<Warning> out = analysis_.warnings();
   if (!analysis_.possible()) return out;
   // The survey's own double_peak adds the planes of the shapes.
-  std::erase_if(out, [](const Warning& warning) { return warning.code == "double_peak"; });
+  // Shapes around the barrel tell three waves from bending.
+  std::erase_if(out,
+                [](const Warning& warning) { return warning.code == "double_peak" || warning.code == "three_waves"; });
   const SurveyResults results{.accel = analysis_.record().accel,
                               .modes = analysis_.modes(),
                               .has_geometry = geometry_.has_value(),
@@ -275,6 +280,8 @@ std::vector<Warning> Survey::warnings() const {
                               .names = analysis_.point_names()};
   out.insert(out.end(), geometry_warnings_.begin(), geometry_warnings_.end());
   for (Warning& warning : survey_warnings(results)) out.push_back(std::move(warning));
+  for (Warning& warning : three_wave_warnings(results.modes, results.classifications))
+    out.push_back(std::move(warning));
   if (roving_ == identify::Roving::hammer) {
     for (Warning& warning : reference_warnings(results.accel, results.modes, results.names))
       out.push_back(std::move(warning));

@@ -6,6 +6,7 @@
 
 #include "identify/classify/asymmetry_split.hpp"
 #include "identify/classify/mode_partners.hpp"
+#include "identify/classify/three_waves.hpp"
 #include "identify/classify/tube_evidence.hpp"
 #include "identify/classify/type_posterior.hpp"
 
@@ -204,6 +205,18 @@ std::optional<SensorPair> pair_of_sensors(const std::vector<std::optional<double
   return best;
 }
 
+std::vector<double> three_over_bending(const std::vector<Mode>& modes, const SensorPair& sensors,
+                                       const ClassifyOptions& options) {
+  const RatioLikelihood likelihood(sensors.first_rad, sensors.second_rad,
+                                   {.angle_rad = options.angle_std_rad, .gain = options.gain_std});
+  std::vector<double> out;
+  for (const Mode& mode : modes) {
+    const Ratio ratio = ratio_of(mode, sensors);
+    out.push_back(ratio.known ? likelihood.three_waves(ratio.angle) / likelihood.bending(ratio.angle) : 1);
+  }
+  return out;
+}
+
 std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const std::optional<SensorPair>& sensors,
                                          const std::vector<std::optional<double>>& overlay_dB,
                                          const ClassifyOptions& options) {
@@ -220,6 +233,7 @@ std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const s
     for (std::size_t m = 0; m < modes.size(); ++m) set_type(classifications[m], posteriors[m], ratios[m]);
   }
   if (tube || options.object == ObjectKind::tube) assign_orders(modes, classifications, options);
+  if (tube) allow_three_waves(modes, classifications, three_over_bending(modes, *sensors, options));
   if (tube) find_planes(modes, classifications, *sensors, options);
   return classifications;
 }

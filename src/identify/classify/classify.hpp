@@ -19,12 +19,14 @@ struct ModeClassification {
   int order = 0;          // from 1 within the type; 0 for unknown
   double confidence = 0;  // posterior probability of `type`; for unknown, 1 − the larger of bending and hoop
   /// The second type, stated where `confidence` is below 0.9 or the second type's own probability is above 0.03. For
-  /// unknown, classify() states the likelier of bending and hoop.
+  /// unknown, classify() states the likelier of bending and hoop. `unknown` stands for three waves.
   std::optional<ModeType> alternative;
-  std::optional<double> overlay_dB;  // level of the second FRF over the first at the peak
-  bool overlaid = false;             // |overlay_dB| within the threshold: a hoop mode by the rule of [8]
-  std::optional<Complex> ratio;      // residue of the second sensor over the residue of the first
-  double ratio_std = 0;              // of the real and of the imaginary part
+  std::optional<double> overlay_dB;   // level of the second FRF over the first at the peak
+  bool overlaid = false;              // |overlay_dB| within the threshold: a hoop mode by the rule of [8]
+  bool possible_three_waves = false;  // it may have n = 3 waves around the barrel (three_waves.hpp)
+  bool order_uncertain = false;       // bending: the count depends on a mode below that may have three waves
+  std::optional<Complex> ratio;       // residue of the second sensor over the residue of the first
+  double ratio_std = 0;               // of the real and of the imaginary part
   std::optional<SplitMode> split_mode;
 };
 
@@ -66,7 +68,8 @@ struct LowerOrders {
 /// well. Without sensors, for an `other` object, and where assumed angles do not fit the modes (tube_evidence.hpp), the
 /// modes keep an unknown type and no order. They also have no split mode, unless `object` is tube: split modes of a
 /// stated tube are marked without sensors too. overlay_dB[m] is the measured level difference at mode m's peak. source
-/// [8] section 3.6 for the overlay rule and the 25 Hz rule. theory (6.1), (6.2), (6.3)
+/// [8] section 3.6 for the overlay rule and the 25 Hz rule. Bending modes far above the lowest hoop mode may have three
+/// waves (three_waves.hpp). theory (6.1), (6.2), (6.3)
 std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const std::optional<SensorPair>& sensors,
                                          const std::vector<std::optional<double>>& overlay_dB,
                                          const ClassifyOptions& options = {});

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "identify/classify/classify.hpp"
+#include "identify/classify/three_waves.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -49,6 +50,17 @@ LowerOrders lower_orders(const std::vector<Mode>& below, const std::vector<ModeC
   return {
       .bending = lower_bending(lower(ModeType::bending), frequencies_Hz(found, types, ModeType::bending, 0, options)),
       .hoop = static_cast<int>(lower(ModeType::hoop).size())};
+}
+
+LowerTubeModes lower_tube_modes(const std::vector<Mode>& below, const std::vector<ModeClassification>& below_types,
+                                const LowerOrders& lower, const ClassifyOptions& options) {
+  LowerTubeModes out;
+  const auto of_type = [&](ModeType type) { return frequencies_Hz(below, below_types, type, kMinConfidence, options); };
+  if (const std::vector<double> hoop_Hz = of_type(ModeType::hoop); !hoop_Hz.empty()) out.lowest_hoop_Hz = hoop_Hz[0];
+  out.bending_Hz = of_type(ModeType::bending);
+  const std::size_t counted = std::min(out.bending_Hz.size(), static_cast<std::size_t>(std::max(lower.bending, 0)));
+  out.bending_Hz.erase(out.bending_Hz.begin(), out.bending_Hz.end() - static_cast<std::ptrdiff_t>(counted));
+  return out;
 }
 
 }  // namespace percuss::identify

@@ -99,6 +99,13 @@ double RatioLikelihood::hoop(const RatioAngle& ratio) const {
   return sum;
 }
 
+double RatioLikelihood::three_waves(const RatioAngle& ratio) const {
+  double sum = 0;
+  for (std::size_t e = 0; e < kPlacements; ++e)
+    sum += kWeights[e] * density(ratio, mean_of(3, first_rad_, second_rad_ + kNodes[e] * apart_std_rad_));
+  return sum;
+}
+
 double RatioLikelihood::other(const RatioAngle& ratio) const {
   const double equal = wrapped_density(ratio.chi_rad - pi / 4, std::hypot(ratio.std_rad, 0.1));
   return kOtherTypePrior * (0.5 * equal + 0.5 / pi);

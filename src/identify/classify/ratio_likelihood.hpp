@@ -46,6 +46,8 @@ class RatioLikelihood {
   /// Hoop, n = 2, at any angle: for one placement, and summed over all placements.
   double hoop(const RatioAngle& ratio, std::size_t placement) const;
   double hoop(const RatioAngle& ratio) const;
+  /// Three waves around the tube, n = 3, at any angle, summed over all placements.
+  double three_waves(const RatioAngle& ratio) const;
   /// Other types: breathing and n = 4 (equal motion of both sensors), n = 3 and local shapes (any ratio). Includes the
   /// small prior probability of these types.
   double other(const RatioAngle& ratio) const;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/math/significance.hpp"
-#include "core/units.hpp"
+#include "metrics/deflection/window_mean.hpp"
 
 namespace percuss::metrics {
 namespace {
@@ -22,74 +22,6 @@ constexpr double kSteepest = 2;        // growth per octave, of noise whose powe
 constexpr double kColoured = 3;        // normal deviate from which noise is not white
 constexpr double kMinCycles = 3;       // of the oscillation within a window, for a mean near zero
 constexpr double kContradiction = 30;  // χ² of two means, exceeded by chance once in three million
-constexpr double kLeakageMargin = 2;   // the oscillation's amplitude and phase are only estimated
-
-// ∫K·w with one of the two Hann windows K, and the contributions of noise and bias to this mean.
-struct WindowMean {
-  double mean_m = 0;
-  Vector2d by_bias;
-  std::vector<double> by_noise;  // weight of each acceleration sample in the mean, s²
-};
-
-double hann(double x) { return x <= 0 || x >= 1 ? 0 : 1 - std::cos(kTwoPi * x); }  // mean 1
-
-// The largest share of an oscillation that a Hann window over so many cycles passes: the envelope of its transform.
-double hann_leakage(double cycles) { return 1 / (std::numbers::pi * cycles * (cycles * cycles - 1)); }
-
-WindowMean window_mean(std::span<const double> w, double fs_Hz, double corner_Hz, double from, double to) {
-  const std::size_t n = w.size();
-  const double dt_s = 1 / fs_Hz, length = static_cast<double>(n);
-  WindowMean out{.by_bias = Vector2d::Zero(), .by_noise = std::vector<double>(n)};
-  std::vector<double> kernel(n);
-  for (std::size_t i = 0; i < n; ++i)
-    kernel[i] = hann((static_cast<double>(i) / length - from) / (to - from)) / ((to - from) * length);
-  for (std::size_t i = 0; i < n; ++i) {
-    out.mean_m += kernel[i] * w[i];
-    out.by_bias += kernel[i] * drifted_deflection_m(static_cast<double>(i) * dt_s, corner_Hz);
-  }
-  // An acceleration sample of 1 at τ adds (t − τ)Δt to each later w(t), and ω_c (t − τ)² Δt/2 with the high-pass
-  // undone. The sample's weight is a sum over the later kernel values, so the sums run from the end.
-  double once = 0, twice = 0, thrice = 0;
-  for (std::size_t i = n; i-- > 0;) {
-    out.by_noise[i] = (twice + kTwoPi * corner_Hz * thrice) * dt_s;
-    once += kernel[i];
-    twice += once * dt_s;
-    thrice += twice * dt_s;
-  }
-  return out;
-}
-
-// The residual of a parabola fitted to a window: its amplitude, and its number of cycles within the window.
-struct ParabolaResidual {
-  double amplitude_m = 0, cycles = 0;
-};
-
-ParabolaResidual parabola_residual(std::span<const double> w, double from, double to) {
-  const auto begin = static_cast<std::size_t>(from * static_cast<double>(w.size()));
-  const auto end = static_cast<std::size_t>(to * static_cast<double>(w.size()));
-  const auto count = static_cast<Eigen::Index>(end - begin);
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  const auto powers = [&](Eigen::Index i) {
-    const double x = 2 * static_cast<double>(i) / static_cast<double>(count) - 1;
-    return Eigen::Vector3d(1, x, x * x);
-  };
-  for (Eigen::Index i = 0; i < count; ++i) {
-    normal += powers(i) * powers(i).transpose();
-    right += powers(i) * w[begin + static_cast<std::size_t>(i)];
-  }
-  const Eigen::Vector3d parabola = normal.inverse() * right;
-  double energy = 0, last = 0;
-  std::size_t crossings = 0;
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const double value = w[begin + static_cast<std::size_t>(i)] - parabola.dot(powers(i));
-    if (i > 0 && value * last < 0) ++crossings;
-    last = value;
-    energy += value * value;
-  }
-  return {.amplitude_m = std::sqrt(2 * energy / static_cast<double>(count)),
-          .cycles = static_cast<double>(crossings) / 2};
-}
 
 // The standard deviation of white noise whose means over many samples scatter as those of `residual`, from which a
 // straight line was subtracted. The means of coloured noise scatter more than its samples let expect.
@@ -120,16 +52,6 @@ double low_frequency_std(std::span<const double> residual) {
 
 }  // namespace
 
-Vector2d drifted_deflection_m(double t_s, double highpass_corner_Hz) {
-  const double corner = kTwoPi * highpass_corner_Hz, t2 = t_s * t_s;
-  return {t2 / 2 + corner * t2 * t_s / 6, t2 * t_s / 6 + corner * t2 * t2 / 24};  // (1)
-}
-
-Vector2d drifted_velocity_mps(double t_s, double highpass_corner_Hz) {
-  const double corner = kTwoPi * highpass_corner_Hz, t2 = t_s * t_s;
-  return {t_s + corner * t2 / 2, t2 / 2 + corner * t2 * t_s / 6};
-}
-
 BaselineEstimate baseline_estimate(std::span<const double> before_mps2, double fs_Hz, double rms_mps2) {
   const auto n = static_cast<double>(before_mps2.size());
   const double wide = kUnknownBias * rms_mps2;
@@ -144,9 +66,9 @@ BaselineEstimate baseline_estimate(std::span<const double> before_mps2, double f
   }
   const Matrix2d inverse = normal.inverse();
   rest.bias = inverse * right;
-  std::vector<double> residual(before_mps2.size());
-  for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = before_mps2[i] - rest.bias.dot(basis(i));
-  rest.noise_mps2 = low_frequency_std(residual);
+  rest.residual_mps2.resize(before_mps2.size());
+  for (std::size_t i = 0; i < before_mps2.size(); ++i) rest.residual_mps2[i] = before_mps2[i] - rest.bias.dot(basis(i));
+  rest.noise_mps2 = low_frequency_std(rest.residual_mps2);
   rest.covariance = inverse * rest.noise_mps2 * rest.noise_mps2;
   return rest;
 }
@@ -166,7 +88,7 @@ ZeroMeanCorrection zero_mean_correction(std::span<const double> deflection_m, do
     const auto k = static_cast<Eigen::Index>(i);
     mean(k) = windows.at(i).mean_m;
     by_bias.row(k) = windows.at(i).by_bias.transpose();
-    leaks(k) = kLeakageMargin * swing.amplitude_m * hann_leakage(swing.cycles);
+    leaks(k) = hann_leakage_m(swing.amplitude_m, swing.cycles);
   }
   Matrix2d noise = leaks.cwiseAbs2().asDiagonal();
   for (Eigen::Index a = 0; a < 2; ++a) {

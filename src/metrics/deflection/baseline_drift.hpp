@@ -14,18 +14,12 @@ struct BaselineEstimate {
   /// The standard deviation of a sample of white noise that is as strong as the measured noise is at low frequencies,
   /// which double integration amplifies.
   double noise_mps2 = 0;
+  std::vector<double> residual_mps2{};  // the samples less bias and drift; empty with fewer than eight of them
 };
 
 /// Estimates bias and noise from the samples before the impact. With fewer than eight samples the bias is 0, with a
 /// standard deviation of a tenth of `rms_mps2`, the RMS of the signal.
 BaselineEstimate baseline_estimate(std::span<const double> before_mps2, double fs_Hz, double rms_mps2);
-
-/// The deflection due to a bias b and a drift d after integration, with the high-pass compensated:
-///   w = b (t²/2 + ω_c t³/6) + d (t³/6 + ω_c t⁴/24)                                  (1)
-/// Returns the two terms of (1) for b = 1 m/s² and d = 1 m/s³. The velocity terms are their derivatives.
-/// theory (7.3)
-Eigen::Vector2d drifted_deflection_m(double t_s, double highpass_corner_Hz);
-Eigen::Vector2d drifted_velocity_mps(double t_s, double highpass_corner_Hz);
 
 /// The remaining bias of a held structure, which oscillates about its position of rest. Two means of the deflection are
 /// taken, with Hann windows over the second and the last third. Without bias, only window leakage of the oscillation

@@ -7,7 +7,9 @@
 #include "core/math/fft.hpp"
 #include "core/math/statistics.hpp"
 #include "metrics/deflection/baseline_drift.hpp"
+#include "metrics/deflection/baseline_noise.hpp"
 #include "metrics/deflection/largest_deflection.hpp"
+#include "metrics/deflection/window_mean.hpp"
 
 namespace percuss::metrics {
 namespace {
@@ -31,42 +33,110 @@ std::size_t samples_at_rest(const ImpactSignal& signal) {
 
 void prepend_rest(std::vector<double>& values, std::size_t samples) { values.insert(values.begin(), samples, 0.0); }
 
-Deflection drift_free(const ImpactSignal& signal, const DeflectionOptions& options) {
+// The acceleration after the samples at rest, less the line through them, integrated.
+struct Integrated {
+  std::size_t first = 0;  // sample after the samples at rest
+  BaselineEstimate rest;
+  std::vector<double> accel_mps2;
+  Motion motion;
+  std::vector<double> swing_m;  // the deflection without the known rigid-body motion
+  bool may_return = false;      // the structure may swing about its position of rest
+};
+
+Integrated integrate_after_rest(const ImpactSignal& signal, const DeflectionOptions& options) {
   const std::size_t first = std::min(samples_at_rest(signal), signal.accel_mps2.size() - 1);
   const auto moving = signal.accel_mps2.subspan(first);
-  const BaselineEstimate rest = baseline_estimate(signal.accel_mps2.first(first), signal.fs_Hz, rms(moving));
-  std::vector<double> accel(moving.begin(), moving.end());
-  for (std::size_t i = 0; i < accel.size(); ++i)
-    accel[i] -= rest.bias(0) + rest.bias(1) * static_cast<double>(i) / signal.fs_Hz;
-  Motion motion = integrate_twice(accel, signal.fs_Hz, options.highpass_corner_Hz);
-  std::vector<double> swing = motion.deflection_m;
+  Integrated out{.first = first,
+                 .rest = baseline_estimate(signal.accel_mps2.first(first), signal.fs_Hz, rms(moving)),
+                 .accel_mps2 = {moving.begin(), moving.end()},
+                 .motion = {},
+                 .swing_m = {}};
+  for (std::size_t i = 0; i < out.accel_mps2.size(); ++i)
+    out.accel_mps2[i] -= out.rest.bias(0) + out.rest.bias(1) * static_cast<double>(i) / signal.fs_Hz;
+  out.motion = integrate_twice(out.accel_mps2, signal.fs_Hz, options.highpass_corner_Hz);
+  out.swing_m = out.motion.deflection_m;
   const bool rigid_known = signal.rigid_per_kg > 0 && !signal.force_N.empty();
   if (rigid_known) {
     const auto rigid = modal_deflection(signal.force_N.subspan(first), signal.fs_Hz, {}, signal.rigid_per_kg);
-    for (std::size_t i = 0; i < swing.size(); ++i) swing[i] -= rigid.deflection_m[i];
+    for (std::size_t i = 0; i < out.swing_m.size(); ++i) out.swing_m[i] -= rigid.deflection_m[i];
   }
+  out.may_return = rigid_known || !options.free_body;
+  return out;
+}
+
+BaselineNoise noise_of(const Integrated& integrated, double fs_Hz, double highpass_corner_Hz) {
+  return {integrated.rest,
+          {.fs_Hz = fs_Hz,
+           .highpass_corner_Hz = highpass_corner_Hz,
+           .accel_mps2 = integrated.accel_mps2,
+           .deflection_m = integrated.swing_m,
+           .may_return = integrated.may_return}};
+}
+
+struct DriftFree {
+  Deflection deflection;
+  std::vector<double> levelled_mps2;  // the acceleration less its error, where 1/f noise was found; else empty
+};
+
+// The deflection for 1/f noise of a strength above 0; nothing where its error cannot be estimated.
+std::optional<DriftFree> drift_free_of_flicker(const ImpactSignal& signal, const DeflectionOptions& options,
+                                               const Integrated& integrated, bool held) {
+  if (signal.flicker_strength && !(*signal.flicker_strength > 0)) return std::nullopt;
+  const BaselineNoise noise = noise_of(integrated, signal.fs_Hz, options.highpass_corner_Hz);
+  const double strength = signal.flicker_strength ? *signal.flicker_strength : flicker_strength(noise.log_gains());
+  // Where late means agree with white noise alone, but not with these windows, white noise is kept.
+  if (!(strength > 0) || (held && !noise.returns_to_rest())) return std::nullopt;
+  auto error = noise.error_at(strength);
+  if (!error) return std::nullopt;
+  DriftFree out{.deflection = {.method = DeflectionMethod::drift_free,
+                               .bias_mps2 = integrated.rest.bias(0) + error->accel_mps2[0],
+                               .zero_mean_corrected = noise.returns_to_rest(),
+                               .drift_m = error->drift_std_m},
+                .levelled_mps2 = integrated.accel_mps2};
+  for (std::size_t i = 0; i < out.levelled_mps2.size(); ++i) out.levelled_mps2[i] -= error->accel_mps2[i];
+  Motion motion = integrate_twice(out.levelled_mps2, signal.fs_Hz, options.highpass_corner_Hz);
+  out.deflection.velocity_mps = std::move(motion.velocity_mps);
+  out.deflection.deflection_m = std::move(motion.deflection_m);
+  out.deflection.std_m = std::move(error->std_m);
+  const double method_error_m = kMethodError * largest_magnitude(out.deflection.deflection_m);
+  for (double& std_m : out.deflection.std_m) std_m = std::hypot(std_m, method_error_m);
+  return out;
+}
+
+DriftFree drift_free(const ImpactSignal& signal, const DeflectionOptions& options) {
+  Integrated integrated = integrate_after_rest(signal, options);
+  const BaselineEstimate& rest = integrated.rest;
   ZeroMeanCorrection late{.bias = Eigen::Vector2d::Zero(), .covariance = rest.covariance};
-  if (rigid_known || !options.free_body)
-    late = zero_mean_correction(swing, signal.fs_Hz, options.highpass_corner_Hz, rest);
-  Deflection out{.method = DeflectionMethod::drift_free,
-                 .bias_mps2 = rest.bias(0) + late.bias(0),
-                 .zero_mean_corrected = late.held};
-  out.std_m.resize(accel.size());
-  const double largest = largest_magnitude(motion.deflection_m);
-  for (std::size_t i = 0; i < accel.size(); ++i) {
-    const double t_s = static_cast<double>(i) / signal.fs_Hz;
-    const auto by_bias = drifted_deflection_m(t_s, options.highpass_corner_Hz);
-    motion.deflection_m[i] -= late.bias.dot(by_bias);
-    motion.velocity_mps[i] -= late.bias.dot(drifted_velocity_mps(t_s, options.highpass_corner_Hz));
-    // t + Δt, because the noise of the first sample acts over the interval after it.
-    const double noise = rest.noise_mps2 * rest.noise_mps2 * std::pow(t_s + 1 / signal.fs_Hz, 3) / (3 * signal.fs_Hz);
-    const double bias = by_bias.dot(late.covariance * by_bias);
-    out.std_m[i] = std::sqrt(std::max(0.0, noise + bias) + std::pow(kMethodError * largest, 2));
-    out.drift_m = std::sqrt(std::max(0.0, bias));
+  if (integrated.may_return)
+    late = zero_mean_correction(integrated.swing_m, signal.fs_Hz, options.highpass_corner_Hz, rest);
+  auto coloured = drift_free_of_flicker(signal, options, integrated, late.held);
+  DriftFree out;
+  if (coloured) {
+    out = std::move(*coloured);
+  } else {
+    Motion& motion = integrated.motion;
+    out.deflection = {.method = DeflectionMethod::drift_free,
+                      .bias_mps2 = rest.bias(0) + late.bias(0),
+                      .zero_mean_corrected = late.held};
+    out.deflection.std_m.resize(integrated.accel_mps2.size());
+    const double largest = largest_magnitude(motion.deflection_m);
+    for (std::size_t i = 0; i < out.deflection.std_m.size(); ++i) {
+      const double t_s = static_cast<double>(i) / signal.fs_Hz;
+      const auto by_bias = drifted_deflection_m(t_s, options.highpass_corner_Hz);
+      motion.deflection_m[i] -= late.bias.dot(by_bias);
+      motion.velocity_mps[i] -= late.bias.dot(drifted_velocity_mps(t_s, options.highpass_corner_Hz));
+      // t + Δt, because the noise of the first sample acts over the interval after it.
+      const double noise = rest.noise_mps2 * rest.noise_mps2 * std::pow(t_s + 1 / signal.fs_Hz, 3) / (3 * signal.fs_Hz);
+      const double bias = by_bias.dot(late.covariance * by_bias);
+      out.deflection.std_m[i] = std::sqrt(std::max(0.0, noise + bias) + std::pow(kMethodError * largest, 2));
+      out.deflection.drift_m = std::sqrt(std::max(0.0, bias));
+    }
+    out.deflection.velocity_mps = std::move(motion.velocity_mps);
+    out.deflection.deflection_m = std::move(motion.deflection_m);
   }
-  out.velocity_mps = std::move(motion.velocity_mps);
-  out.deflection_m = std::move(motion.deflection_m);
-  for (auto* values : {&out.velocity_mps, &out.deflection_m, &out.std_m}) prepend_rest(*values, first);
+  for (auto* values : {&out.deflection.velocity_mps, &out.deflection.deflection_m, &out.deflection.std_m})
+    prepend_rest(*values, integrated.first);
+  if (!out.levelled_mps2.empty()) prepend_rest(out.levelled_mps2, integrated.first);
   return out;
 }
 
@@ -137,7 +207,8 @@ Deflection by_modes(const ImpactSignal& signal, const DeflectionOptions& options
           .velocity_mps = std::move(modal.velocity_mps),
           .deflection_m = std::move(modal.deflection_m),
           .std_m = std::move(modal.std_m),
-          .rigid_motion_left_out = !(signal.rigid_per_kg > 0) && !drift_free(signal, options).zero_mean_corrected};
+          .rigid_motion_left_out =
+              !(signal.rigid_per_kg > 0) && !drift_free(signal, options).deflection.zero_mean_corrected};
 }
 
 }  // namespace
@@ -165,12 +236,23 @@ Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& op
     const bool modal = samples_at_rest(signal) < kMinBefore && !signal.force_N.empty() && !signal.modes.empty();
     method = modal ? DeflectionMethod::modal : DeflectionMethod::drift_free;
   }
+  if (method == DeflectionMethod::drift_free) {
+    DriftFree found = drift_free(signal, options);
+    ImpactSignal levelled = signal;
+    if (!found.levelled_mps2.empty()) levelled.accel_mps2 = found.levelled_mps2;
+    find_largest(levelled, options, found.deflection);
+    return std::move(found.deflection);
+  }
   Deflection out = method == DeflectionMethod::small_interval ? small_interval(signal)
                    : method == DeflectionMethod::frequency    ? deflection_by_frequency(signal, options)
-                   : method == DeflectionMethod::modal        ? by_modes(signal, options)
-                                                              : drift_free(signal, options);
+                                                              : by_modes(signal, options);
   find_largest(signal, options, out);
   return out;
+}
+
+std::vector<double> flicker_evidence(const ImpactSignal& signal, const DeflectionOptions& options) {
+  assert(!signal.accel_mps2.empty());
+  return noise_of(integrate_after_rest(signal, options), signal.fs_Hz, options.highpass_corner_Hz).log_gains();
 }
 
 double motion_onset_s(std::span<const double> accel_mps2, double fs_Hz) {

@@ -24,6 +24,9 @@ struct ImpactSignal {
   double force_noise_N = 0;         // standard deviation of a sample
   double rigid_per_kg = 0;          // rigid-body accelerance of a free body at the point; 0: held or unknown
   std::vector<ModalContribution> modes;
+  /// The strength of the accelerometer's 1/f noise (baseline_noise.hpp), from several impacts; 0: white noise. Not set:
+  /// estimated from this signal.
+  std::optional<double> flicker_strength{};
 };
 
 struct DeflectionOptions {
@@ -56,7 +59,8 @@ struct Deflection {
 /// Computes the deflection of the struck structure from its acceleration (and force).
 ///   drift_free      subtracts the bias and drift before the impact, integrates without quadrature error
 ///                   (integrate_twice), and centres a held structure on its position of rest. Its standard deviation
-///                   includes the bias and the double integral of white noise, σ_w² = σ_a² Δt t³/3.
+///                   includes the bias and the double integral of white noise, σ_w² = σ_a² Δt t³/3. Where the noise
+///                   rises at low frequencies, the error that it makes is estimated and subtracted (BaselineNoise).
 ///   small_interval  first-order sums from the impact on (small_interval_sums), without any correction
 ///   frequency       division in the frequency domain, line by line
 ///   modal           the response of the modes to the force
@@ -65,6 +69,11 @@ struct Deflection {
 /// Precondition: modal needs force and modes. shapes [samples].
 /// theory (7.4)
 Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& options = {});
+
+/// The evidence of one signal for 1/f noise, for drift_free: BaselineNoise::log_gains(). flicker_strength() of the sum
+/// over the impacts gives ImpactSignal::flicker_strength, since they share the noise of the sensor. Empty where the
+/// signal gives none.
+std::vector<double> flicker_evidence(const ImpactSignal& signal, const DeflectionOptions& options = {});
 
 /// The time at which the structure starts to move, counted from the first sample, for records without force. It is the
 /// time of the first sample beyond eight standard deviations of the noise (from the first fiftieth of the record) and

@@ -15,6 +15,7 @@
 #include "pipeline/warnings/hit_list.hpp"
 #include "pipeline/warnings/object_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
+#include "pipeline/warnings/three_wave_warnings.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -222,6 +223,9 @@ std::vector<Warning> response_warnings(const ResponseTest& test) {
   add(tones(test));
   add(pairs_or_scatter(test));
   add(object_warnings(test.classifications, test.options.classes));
+  std::vector<identify::Mode> modes;
+  for (const identify::DecayMode& one : test.found.modes) modes.push_back(one.mode);
+  add(three_wave_warnings(modes, test.classifications));
   return ranked(std::move(out));
 }
 

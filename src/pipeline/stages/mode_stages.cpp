@@ -44,14 +44,18 @@ std::vector<identify::Mode> with_point_indices(std::vector<identify::Mode> modes
   return modes;
 }
 
+std::optional<identify::SensorPair> sensor_pair(const std::vector<acquire::SignalInfo>& accel) {
+  std::vector<std::optional<double>> angles_rad;
+  angles_rad.reserve(accel.size());
+  for (const acquire::SignalInfo& signal : accel) angles_rad.push_back(signal.angle_rad);
+  return identify::pair_of_sensors(angles_rad);
+}
+
 std::vector<identify::ModeClassification> classify_modes(const std::vector<identify::Mode>& modes,
                                                          const identify::FrfDataset& set,
                                                          const std::vector<acquire::SignalInfo>& accel,
                                                          const identify::ClassifyOptions& options) {
-  std::vector<std::optional<double>> angles_rad;
-  angles_rad.reserve(accel.size());
-  for (const acquire::SignalInfo& signal : accel) angles_rad.push_back(signal.angle_rad);
-  const auto sensors = identify::pair_of_sensors(angles_rad);
+  const auto sensors = sensor_pair(accel);
   std::vector<std::optional<double>> overlays_dB(modes.size());
   for (std::size_t m = 0; sensors && m < modes.size(); ++m)
     overlays_dB[m] = overlay_dB(set, *sensors, set.lines.nearest(modes[m].pole.freq_Hz));

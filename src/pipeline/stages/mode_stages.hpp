@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,9 @@ BandModes modes_in_band(std::vector<identify::Mode> modes, const std::vector<int
 /// The same modes with residues that carry the indices of the points in the data set, in place of their numbers.
 /// points  as for modes_in_band, ascending
 std::vector<identify::Mode> with_point_indices(std::vector<identify::Mode> modes, const std::vector<int>& points);
+
+/// The two sensors whose angles suit best for bending and hoop.
+std::optional<identify::SensorPair> sensor_pair(const std::vector<acquire::SignalInfo>& accel);
 
 /// Classifies modes by the two sensors whose angles suit best, and by the overlay of their FRFs at each mode's peak.
 std::vector<identify::ModeClassification> classify_modes(const std::vector<identify::Mode>& modes,

@@ -102,6 +102,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"few_points", Severity::warn},
     {"input", Severity::warn},
     {"not_a_tube", Severity::info},
+    {"three_waves", Severity::info},
     {"offset", Severity::info},
     {"capture_lost_samples", Severity::info},
     {"capture_ended", Severity::info},

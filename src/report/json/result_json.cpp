@@ -50,6 +50,8 @@ void add_classification(Json& json, const identify::ModeClassification& classifi
   json["order"] = classification.order > 0 ? Json(classification.order) : Json();
   json["confidence"] = classification.confidence;
   json["alternative"] = classification.alternative ? Json(name_of(*classification.alternative)) : Json();
+  if (classification.possible_three_waves) json["three_waves"] = true;
+  if (classification.order_uncertain) json["order_uncertain"] = true;
   json["overlay"] = classification.overlay_dB
                         ? Json{{"difference_db", *classification.overlay_dB}, {"overlaid", classification.overlaid}}
                         : Json();

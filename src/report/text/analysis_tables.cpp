@@ -120,7 +120,8 @@ std::string note_of(const pipeline::Analysis& analysis, std::size_t m) {
                      : "second peak of the split mode");
     if (split->quoted) note += ": its frequency stands for the mode";
   }
-  if (classification.alternative) add(fmt::format("could be {}", name_of(*classification.alternative)));
+  if (const std::string other = other_types(classification); !other.empty()) add(other);
+  if (classification.order_uncertain) add("order uncertain: see the modes below it that may have three waves");
   const std::string source = source_of_std(analysis.modes()[m]);
   if (!source.empty()) add(source);
   return note;
@@ -170,6 +171,15 @@ const char* no_modes_text(const pipeline::Analysis& analysis) {
 
 bool is_quoted(const identify::ModeClassification& classification) {
   return !classification.split_mode || classification.split_mode->quoted;
+}
+
+std::string other_types(const identify::ModeClassification& classification) {
+  std::string types;
+  if (classification.alternative && *classification.alternative != identify::ModeType::unknown)
+    types = name_of(*classification.alternative);
+  if (classification.possible_three_waves) types += std::string(types.empty() ? "" : " or ") + "three waves (n = 3)";
+  if (classification.alternative && types.empty()) types = name_of(*classification.alternative);
+  return types.empty() ? "" : "could be " + types;
 }
 
 std::string mode_type_of(const identify::ModeClassification& classification) {

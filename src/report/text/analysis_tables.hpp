@@ -30,6 +30,8 @@ bool is_quoted(const identify::ModeClassification& classification);
 
 /// "hoop 1"; "bending" or "unknown" without an order.
 std::string mode_type_of(const identify::ModeClassification& classification);
+/// "could be hoop", "could be three waves (n = 3)"; empty where no other type is stated.
+std::string other_types(const identify::ModeClassification& classification);
 /// The confidence of a mode's type: "97 %", "99.6 %", "> 99.9 %"; "–" for an unknown type.
 std::string confidence_text(const identify::ModeClassification& classification);
 /// Names the parts of the frequency's or the damping ratio's standard deviation that exceed the noise, such as "± from

@@ -28,8 +28,7 @@ std::string note_cell(const identify::ModeClassification& classification) {
     note = fmt::format("split mode, {:.3g} Hz apart{}", classification.split_mode->separation_Hz,
                        classification.split_mode->quoted ? ": its frequency stands for the mode" : "");
   }
-  if (classification.alternative)
-    note += fmt::format("{}could be {}", note.empty() ? "" : "; ", name_of(*classification.alternative));
+  if (const std::string other = other_types(classification); !other.empty()) note += (note.empty() ? "" : "; ") + other;
   return note;
 }
 

@@ -1,0 +1,34 @@
+#include "pipeline/warnings/three_wave_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace percuss::pipeline {
+namespace {
+
+constexpr std::size_t kMaxThreeWaves = 4;  // modes that the message names
+
+}  // namespace
+
+std::vector<Warning> three_wave_warnings(const std::vector<identify::Mode>& modes,
+                                         const std::vector<identify::ModeClassification>& classifications) {
+  std::string named;
+  std::size_t count = 0;
+  for (std::size_t m = 0; m < classifications.size(); ++m) {
+    if (!classifications[m].possible_three_waves) continue;
+    ++count;
+    if (count <= kMaxThreeWaves)
+      named += fmt::format("{}mode {} ({:.5g} Hz)", count > 1 ? ", " : "", m + 1, modes[m].pole.freq_Hz);
+  }
+  if (count == 0) return {};
+  if (count > kMaxThreeWaves) named += fmt::format(" and {} more", count - kMaxThreeWaves);
+  return {with_remedy(
+      {"three_waves", fmt::format("{} may have three waves around the barrel (n = 3): above twice the lowest hoop "
+                                  "frequency two sensors cannot tell this from bending, and the bending orders "
+                                  "below do not decide it",
+                                  named)},
+      "strike a ring of points around the barrel, as a survey with angles")};
+}
+
+}  // namespace percuss::pipeline
