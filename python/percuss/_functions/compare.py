@@ -23,12 +23,14 @@ def compare(
 ) -> Result:
     """Compare modes or deflections of tests and models side by side.
 
-    Pairs the modes of the first document with the modes of each other document, by frequency and
-    shape, and shows the differences. The MAC is that of the shapes over the common points, or over
-    the channels where there are fewer than three points. Modes without three common places are
-    paired by frequency alone, so that modes that crossed are exchanged; the output says so.
-    Compares the deflections of two documents likewise. analyze, survey, deflect and model write
-    such documents.
+    Pairs the modes of the first document with the modes of each other document, and shows the
+    differences. Modes with three common places are paired by shape. The MAC is that of the shapes
+    over the common points, or over the channels where there are fewer than three points. Other
+    modes are paired by family and order where both documents state them with 90 % confidence and
+    the frequencies do not contradict. The rest is paired by frequency, so that modes that crossed
+    are exchanged. The output says which rule applied. Letters name the peaks of one order, as
+    bending 3a and bending 3b, the lowest first. Compares the deflections of two documents likewise.
+    analyze, survey, deflect and model write such documents.
 
     Parameters
     ----------
@@ -36,7 +38,8 @@ def compare(
         Two or more results of `analyze`, `survey`, `deflect`, `models.beam`, `models.bat`,
         `models.impact` or `models.shell`, or their documents.
     furthest : float in %, optional
-        Pair modes only if their frequencies differ by at most this much. Default: 25.
+        Pair modes only if their frequencies differ by at most this much (default: 25, or 50 for
+        modes of equal order).
     least_mac : float, optional
         Pair modes only if their MAC is at least this. Default: 0.6.
     title : str, optional

@@ -59,8 +59,8 @@ def nodes(
     """Locate the nodes of bending modes from a scan of impacts.
 
     Locates the nodes of each bending mode along the barrel, with standard deviations, from hits at
-    several positions. Each point, or each file, is one position. A node lies where the response of
-    the mode changes sign.
+    several positions. Each point, or each file, is one position; files P1_1, P1_2, ... are hits of
+    one. A node lies where the response of the mode changes sign.
 
     Parameters
     ----------
@@ -71,8 +71,8 @@ def nodes(
         still computes.
     positions : (start, step, end) or a list, optional
         Set the positions of the hits from the end of the barrel, in the order of points or files: a
-        range or a list such as 3,3.5,5in; in inches unless a unit (in, m, mm, cm, ft) follows
-        (default: from the record's geometry).
+        range or a list such as 3,3.5,5in, where files of equal positions are hits of one; in inches
+        unless a unit (in, m, mm, cm, ft) follows (default: from the record's geometry).
     fs : float or str in Hz, optional
         Set the sampling rate in place of the file's: a number, or for a MAT file the name of a
         variable.
