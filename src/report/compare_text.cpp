@@ -104,18 +104,18 @@ std::optional<TextTable> dampings_table(const std::vector<metrics::ComparedDocum
 // Says how the points of the shapes were matched. `several`: there are other comparisons.
 void say_places(ReportText& text, const Comparison& c, bool several) {
   const metrics::CommonPlaces& places = c.places;
-  const std::size_t fewer = std::min(places.points_a, places.points_b);
-  if (fewer < 2) return;
+  if (std::min(places.points_a, places.points_b) < 2) return;
   if (places.coordinates_differ)
     text.say("the coordinates of the points do not agree: another origin, unit or direction of the axes?");
   const std::string numbers = places.by == metrics::PlacesMatchedBy::sequence
                                   ? "their sequence, since one document counts from 0 and the other from 1"
                                   : fmt::format("their {}", name_of(places.by));
-  const std::string all = places.points_a == places.points_b
-                              ? std::to_string(places.points_a)
-                              : fmt::format("{} and {}", places.points_a, places.points_b);
-  text.say(fmt::format("points{} are matched by {}: {} of {} are common",
-                       several ? " of " + one_line(c.b.name, 200) : "", numbers, places.of_b.size(), all));
+  const std::size_t common = places.of_b.size();
+  const std::string of = common == places.points_a && common == places.points_b
+                             ? ""
+                             : fmt::format(", of {} and {}", places.points_a, places.points_b);
+  text.say(fmt::format("points{} are matched by {}: {} in both{}", several ? " of " + one_line(c.b.name, 200) : "",
+                       numbers, common, of));
 }
 
 // Says where modes without a partner agree in frequency, but not in shape.

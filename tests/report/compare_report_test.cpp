@@ -183,14 +183,14 @@ TEST(CompareReport, SaysHowPointsWereMatched) {
     return compare_report({document("a.json", 0, 5, 0.1), b});
   };
   const CommandReport by_place = report_of(document("b.json", 10, 4, 0.1));
-  EXPECT_THAT(by_place.text.text(200), HasSubstr("points are matched by their coordinates: 4 of 5 and 4 are common\n"));
+  EXPECT_THAT(by_place.text.text(200), HasSubstr("points are matched by their coordinates: 4 in both, of 5 and 4\n"));
   EXPECT_THAT(by_place.text.text(200), HasSubstr("MAC 1.000"));
   EXPECT_THAT(by_place.json, HasSubstr("\"matched_by\": \"coordinates\""));
   const CommandReport other_unit = report_of(document("b.json", 1, 5, 100));
   EXPECT_THAT(other_unit.text.text(200), HasSubstr("the coordinates of the points do not agree"));
   EXPECT_THAT(other_unit.text.text(200), HasSubstr("matched by their sequence, since one document counts from 0"));
   EXPECT_THAT(report_of(document("b.json", 0, 5, 0)).text.text(200),
-              HasSubstr("points are matched by their numbers: 5 of 5 are common\n"));
+              HasSubstr("points are matched by their numbers: 5 in both\n"));
 }
 
 }  // namespace percuss::report::compare_report_test
