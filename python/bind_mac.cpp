@@ -1,6 +1,8 @@
 #include "bindings.hpp"
 #include "core/error.hpp"
 #include "identify/shapes/mac.hpp"
+#include "metrics/common_places.hpp"
+#include "report/json/read_document.hpp"
 
 namespace percuss::python {
 namespace {
@@ -33,6 +35,15 @@ Object mac_between(PyObject* /*module*/, const Arguments& arguments) {
     }
   }
   return array_of(std::move(out), {a.size(), b.size()});
+}
+
+Object common_points_of(PyObject* /*module*/, const Arguments& arguments) {
+  const auto a = report::parse_documents(arguments[0].text(), "a").at(0);
+  const auto b = report::parse_documents(arguments[1].text(), "b").at(0);
+  std::vector<Object> out;
+  for (const auto& [point, matched] : metrics::common_places(a, b).of_b)
+    out.push_back(tuple_of(matched.point, point, matched.sign));
+  return object_of(out);
 }
 
 }  // namespace percuss::python

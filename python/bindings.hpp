@@ -96,6 +96,8 @@ void bind_frfs(PyObject* module);
 void bind_outcome(PyObject* module);  // the results of commands
 /// Modal assurance criterion of shapes (modes, places).
 Object mac_between(PyObject* module, const Arguments& arguments);
+/// The points of two documents at common places, as [(point of the first, point of the second, sign)].
+Object common_points_of(PyObject* module, const Arguments& arguments);
 /// The run time of the library without Python, for bench_overhead.py.
 Object library_seconds(PyObject* module, const Arguments& arguments);
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import numpy as np
@@ -21,7 +22,8 @@ def mac(a: Any, b: Any = None) -> np.ndarray:
     ----------
     a, b : Analysis, Survey or array (modes, places)
         Results, whose residues or shapes are compared at the places (point and channel) that both have; or real or complex
-        arrays of the same places in the same order. Without b, a is compared with itself.
+        arrays of the same places in the same order. Without b, a is compared with itself. The points of results are matched
+        by their coordinates if both state them, else by the numbers of the geometry or of the files' names, as `compare` does.
 
     Returns
     -------
@@ -61,6 +63,9 @@ def mac(a: Any, b: Any = None) -> np.ndarray:
 
 def _at_common_places(a: Analysis, b: Analysis) -> tuple[np.ndarray, np.ndarray]:
     mine, others = a._shape_places, b._shape_places
+    matched = {theirs: (own, sign) for own, theirs, sign in _percuss.common_points(_document_of(a, mine), _document_of(b, others))}
+    signs = [matched[point][1] if point in matched else 0.0 for point, _ in others]
+    others = [(matched[point][0] if point in matched else -1, channel) for point, channel in others]
     common = [place for place in mine if place in set(others)]
     if not common:
         raise InputError("the results have no point and channel in common", "mac", "compare tests of the same points and channels")
@@ -69,7 +74,15 @@ def _at_common_places(a: Analysis, b: Analysis) -> tuple[np.ndarray, np.ndarray]
             "the results have only one point and channel in common", "mac", "compare tests of several: of one place, MAC is always 1"
         )
     pick = lambda values, places: values[:, [places.index(one) for one in common]]  # noqa: E731
-    return pick(a._shape_values, mine), pick(b._shape_values, others)
+    return pick(a._shape_values, mine), pick(b._shape_values * np.array(signs), others)
+
+
+def _document_of(result: Analysis, places: list[tuple[int, int]]) -> str:
+    """A document with one shape of ones at the places, and what the result states of them."""
+    residues = [{"point": point, "channel": channel, "re": 1} for point, channel in places]
+    mode = {"frequency_hz": 1, "residues": residues}
+    document = {"schema": "percuss/analysis/1", "roving": "sensor", "modes": [mode], "places": result._own().get("places") or []}
+    return json.dumps(document)
 
 
 def _shapes(values: Any, name: str) -> np.ndarray:

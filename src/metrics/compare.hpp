@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <complex>
 #include <cstddef>
 #include <map>
@@ -31,6 +32,13 @@ struct ComparedMode {
   std::map<std::pair<int, int>, Component> shape;  // by point and channel (-1: every sensor); empty: none
 };
 
+/// The place of a point of the shapes.
+struct ComparedPlace {
+  int number = 0;  // that people see
+  std::optional<std::array<double, 3>> xyz_m{};
+  std::optional<std::array<double, 3>> direction{};  // unit vector of a positive value
+};
+
 /// The largest deflection under an impact.
 struct ComparedDeflection {
   std::optional<int> point;          // of a test
@@ -44,6 +52,7 @@ struct ComparedDocument {
   bool model = false;        // the document is a prediction
   std::vector<ComparedMode> modes;
   std::vector<ComparedDeflection> deflections;
+  std::map<int, ComparedPlace> places{};  // by the point of ComparedMode::shape; a point without one has its own number
 };
 
 /// The modes of one family and order in a document (3a, 3b), ascending by frequency. Modes of 0 Hz are left out.
@@ -92,6 +101,7 @@ struct PairedModes {
 /// mode. Modes of 0 Hz (rigid-body modes) are left out. Two modes that crossed are exchanged by their frequencies,
 /// which cannot show it. Two pairs that are not by shape are named as exchangeable where their modes may pair
 /// crosswise, and if the two modes of one document lie no further apart than the two modes of one of the pairs.
+/// Shapes are compared at equal points: see common_places().
 PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options = {});
 
 /// The MAC of two modes at their common places; nothing for fewer than three.

@@ -188,13 +188,20 @@ LineChart chart_of(const std::vector<Comparison>& comparisons) {
 CommandReport compare_report(const std::vector<metrics::ComparedDocument>& documents,
                              const metrics::PairOptions& options) {
   assert(documents.size() >= 2);
+  std::vector<metrics::ComparedDocument> others;  // with the point numbers of the first document
   std::vector<Comparison> comparisons;
+  others.reserve(documents.size());
   comparisons.reserve(documents.size());
   bool deflections = false, modes = false;
   for (std::size_t i = 1; i < documents.size(); ++i) {
-    const metrics::ComparedDocument &a = documents.front(), &b = documents[i];
-    comparisons.push_back(
-        {.a = a, .b = b, .modes = metrics::pair_modes(a, b, options), .deflections = metrics::pair_deflections(a, b)});
+    const metrics::ComparedDocument& a = documents.front();
+    metrics::CommonPlaces places = metrics::common_places(a, documents[i]);
+    const metrics::ComparedDocument& b = others.emplace_back(metrics::at_places_of_first(documents[i], places));
+    comparisons.push_back({.a = a,
+                           .b = b,
+                           .places = std::move(places),
+                           .modes = metrics::pair_modes(a, b, options),
+                           .deflections = metrics::pair_deflections(a, b)});
     deflections = deflections || !comparisons.back().deflections.empty();
     modes = modes || !comparisons.back().modes.pairs.empty();
   }

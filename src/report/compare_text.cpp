@@ -101,6 +101,23 @@ std::optional<TextTable> dampings_table(const std::vector<metrics::ComparedDocum
   return any ? std::optional(std::move(table)) : std::nullopt;
 }
 
+// Says how the points of the shapes were matched. `several`: there are other comparisons.
+void say_places(ReportText& text, const Comparison& c, bool several) {
+  const metrics::CommonPlaces& places = c.places;
+  if (std::min(places.points_a, places.points_b) < 2) return;
+  if (places.coordinates_differ)
+    text.say("the coordinates of the points do not agree: another origin, unit or direction of the axes?");
+  const std::string numbers = places.by == metrics::PlacesMatchedBy::sequence
+                                  ? "their sequence, since one document counts from 0 and the other from 1"
+                                  : fmt::format("their {}", name_of(places.by));
+  const std::size_t common = places.of_b.size();
+  const std::string of = common == places.points_a && common == places.points_b
+                             ? ""
+                             : fmt::format(", of {} and {}", places.points_a, places.points_b);
+  text.say(fmt::format("points{} are matched by {}: {} in both{}", several ? " of " + one_line(c.b.name, 200) : "",
+                       numbers, common, of));
+}
+
 // Says where modes without a partner agree in frequency, but not in shape.
 std::optional<std::string> other_shapes_text(const Comparison& c) {
   std::size_t alike = 0;
@@ -112,12 +129,12 @@ std::optional<std::string> other_shapes_text(const Comparison& c) {
     });
   }
   if (alike == 0) return std::nullopt;
-  return fmt::format(
-      "{} without a partner {} in frequency within {:.0f} % with a mode of {}, but not in shape: do equal point "
-      "numbers "
-      "mean equal places in both tests?",
-      alike == 1 ? "1 mode" : fmt::format("{} modes", alike), alike == 1 ? "agrees" : "agree", 100 * kSameFrequency,
-      one_line(c.b.name, 200));
+  return fmt::format("{} without a partner {} in frequency within {:.0f} % with a mode of {}, but not in shape{}",
+                     alike == 1 ? "1 mode" : fmt::format("{} modes", alike), alike == 1 ? "agrees" : "agree",
+                     100 * kSameFrequency, one_line(c.b.name, 200),
+                     c.places.by == metrics::PlacesMatchedBy::coordinates
+                         ? ""
+                         : ": do equal point numbers mean equal places in both?");
 }
 
 // "modes are paired with the modes of b.json by …", or "2 of 7 modes are …"; empty where none is.
@@ -210,6 +227,7 @@ ReportText compare_modes_text(const std::vector<metrics::ComparedDocument>& docu
   ReportText text;
   text += table;
   for (const Comparison& c : comparisons) {
+    say_places(text, c, comparisons.size() > 1);
     say_pairing(text, c, comparisons.size() > 1);
     if (c.modes.unpaired_b.empty()) continue;
     if (const auto hint = other_shapes_text(c)) text.say(*hint);

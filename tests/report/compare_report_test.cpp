@@ -165,4 +165,32 @@ TEST(CompareReport, SaysThatFrequenciesContradictOrders) {
   EXPECT_THAT(report.json, HasSubstr("\"from_order\": 3"));
 }
 
+TEST(CompareReport, SaysHowPointsWereMatched) {
+  const auto document = [](const std::string& name, int first, std::size_t points, double scale) {
+    metrics::ComparedDocument out{.name = name, .schema = "", .modes = {}, .deflections = {}};
+    metrics::ComparedMode mode{.freq_Hz = 100, .shape = {}};
+    for (std::size_t i = 0; i < points; ++i) {
+      const int point = first + static_cast<int>(i);
+      mode.shape[{point, -1}] = {.value = 1.0 + static_cast<double>(i), .std = 0};
+      if (scale > 0)
+        out.places[point] = {
+            .number = point, .xyz_m = std::array{0.1 + scale * static_cast<double>(i), 0.0, 0.0}, .direction = {}};
+    }
+    out.modes = {mode};
+    return out;
+  };
+  const auto report_of = [&](const metrics::ComparedDocument& b) {
+    return compare_report({document("a.json", 0, 5, 0.1), b});
+  };
+  const CommandReport by_place = report_of(document("b.json", 10, 4, 0.1));
+  EXPECT_THAT(by_place.text.text(200), HasSubstr("points are matched by their coordinates: 4 in both, of 5 and 4\n"));
+  EXPECT_THAT(by_place.text.text(200), HasSubstr("MAC 1.000"));
+  EXPECT_THAT(by_place.json, HasSubstr("\"matched_by\": \"coordinates\""));
+  const CommandReport other_unit = report_of(document("b.json", 1, 5, 100));
+  EXPECT_THAT(other_unit.text.text(200), HasSubstr("the coordinates of the points do not agree"));
+  EXPECT_THAT(other_unit.text.text(200), HasSubstr("matched by their sequence, since one document counts from 0"));
+  EXPECT_THAT(report_of(document("b.json", 0, 5, 0)).text.text(200),
+              HasSubstr("points are matched by their numbers: 5 in both\n"));
+}
+
 }  // namespace percuss::report::compare_report_test

@@ -68,9 +68,20 @@ Json doubted_json(const std::vector<metrics::DoubtedOrders>& doubted) {
   return list;
 }
 
+// How the points of the shapes were matched; null where a document has no shapes.
+Json places_json(const metrics::CommonPlaces& places) {
+  if (places.points_a == 0 || places.points_b == 0) return {};
+  return {{"matched_by", name_of(places.by)},
+          {"common", places.of_b.size()},
+          {"points_a", places.points_a},
+          {"points_b", places.points_b},
+          {"coordinates_differ", places.coordinates_differ}};
+}
+
 Json comparison_json(const Comparison& c) {
   const bool inverted = c.a.model && !c.b.model;
-  return {{"pairs", pairs_json(c)},
+  return {{"places", places_json(c.places)},
+          {"pairs", pairs_json(c)},
           {"unpaired_a", unpaired_json(c.a, c.modes.unpaired_a)},
           {"unpaired_b", unpaired_json(c.b, c.modes.unpaired_b)},
           {"doubted_orders", doubted_json(c.modes.doubted_orders)},

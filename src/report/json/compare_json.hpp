@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "metrics/common_places.hpp"
 #include "metrics/compare.hpp"
 
 namespace percuss::report {
@@ -9,7 +10,8 @@ namespace percuss::report {
 /// The comparison of one document, `b`, with the first, `a`.
 struct Comparison {
   const metrics::ComparedDocument& a;
-  const metrics::ComparedDocument& b;
+  const metrics::ComparedDocument& b;  // its shapes have the point numbers of a
+  metrics::CommonPlaces places;
   metrics::PairedModes modes;
   std::vector<metrics::DeflectionPair> deflections;
 };

@@ -6,11 +6,13 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/json_text.hpp"
+#include "core/units.hpp"
 #include "identify/shapes/mode_shapes.hpp"
 
 namespace percuss::report {
@@ -20,7 +22,7 @@ constexpr std::uint64_t kLargest_bytes = std::uint64_t{256} << 20U;
 constexpr int kMaxDepth = 16;
 
 // All keys that are read below.
-constexpr std::array<std::string_view, 30> kWantedKeys = {"schema",
+constexpr std::array<std::string_view, 37> kWantedKeys = {"schema",
                                                           "runs",
                                                           "deflection",
                                                           "points",
@@ -49,7 +51,14 @@ constexpr std::array<std::string_view, 30> kWantedKeys = {"schema",
                                                           "order",
                                                           "confidence",
                                                           "support",
-                                                          "kind"};
+                                                          "kind",
+                                                          "places",
+                                                          "number",
+                                                          "x_m",
+                                                          "y_m",
+                                                          "z_m",
+                                                          "angle_deg",
+                                                          "direction"};
 
 // A value of a document, and its location for messages.
 class Part {
@@ -159,6 +168,36 @@ std::vector<metrics::ComparedMode> bat_modes_in(const Part& part) {
   return modes;
 }
 
+// The coordinates of a place, also those of a position and an angle on a tube of any radius; nothing where none are
+// stated.
+std::optional<std::array<double, 3>> coordinates_in(const Part& place) {
+  constexpr double kRadius_m = 0.03;
+  if (place.has("x_m") || place.has("y_m") || place.has("z_m"))
+    return std::array{place.number_or("x_m", 0), place.number_or("y_m", 0), place.number_or("z_m", 0)};
+  if (!place.has("position_m")) return std::nullopt;
+  const double angle_rad = place.number_or("angle_deg", 0) / kRadian_deg;
+  return std::array{place.at("position_m").number(), kRadius_m * std::cos(angle_rad), kRadius_m * std::sin(angle_rad)};
+}
+
+std::optional<std::array<double, 3>> direction_in(const Part& place) {
+  if (!place.has("direction")) return std::nullopt;
+  std::array<double, 3> direction{};
+  std::size_t axis = 0;
+  place.at("direction").for_each([&](const Part& value) {
+    if (axis < direction.size()) direction.at(axis++) = value.number();
+  });
+  return direction;
+}
+
+void add_places(const Part& part, metrics::ComparedDocument& document) {
+  part.at("places").for_each([&](const Part& place) {
+    const int point = whole(place.at("point").number());
+    document.places[point] = {.number = whole(place.number_or("number", point)),
+                              .xyz_m = coordinates_in(place),
+                              .direction = direction_in(place)};
+  });
+}
+
 void add_deflections(const Part& part, metrics::ComparedDocument& document) {
   part.at("points").for_each([&](const Part& point) {
     if (!point.has("peak_m")) return;  // no deflection above the noise
@@ -178,6 +217,7 @@ metrics::ComparedDocument analysis_in(const Part& part, std::string name, std::s
   const auto roving =
       part.has("roving") && part.at("roving").text() == "sensor" ? identify::Roving::sensor : identify::Roving::hammer;
   part.at("modes").for_each([&](const Part& mode) { document.modes.push_back(mode_in(mode, roving)); });
+  if (part.has("places")) add_places(part, document);
   return document;
 }
 

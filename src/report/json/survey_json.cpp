@@ -61,6 +61,43 @@ Json geometry_json(const pipeline::Survey& survey) {
           {"tube", survey.geometry()->tube}};
 }
 
+// The direction of a positive value of a point; null where the record does not state it.
+Json direction_json(const acquire::Record& record, int point) {
+  for (const acquire::PointMotion& motion : record.motions) {
+    if (motion.point == point && motion.along) return *motion.along;
+  }
+  return {};
+}
+
+// The numbers that people see, the coordinates and the directions of the points; empty where the record's numbers are
+// all that is known.
+Json places_json(const pipeline::Survey& survey) {
+  const acquire::Record& record = survey.analysis().record();
+  Json out = Json::array();
+  bool known = survey.geometry().has_value();
+  for (const int point : survey.analysis().points()) {
+    const int named = survey.analysis().point_names().number(point);
+    const int number = named == point && survey.place_of(static_cast<std::size_t>(point)) == point
+                           ? survey.stated_number(point)
+                           : named;
+    known = known || number != point;
+    Json json{{"point", point}, {"number", number}};
+    const acquire::GeometryPoint* place = survey.geometry_point(point);
+    if (place != nullptr && place->xyz_m) {
+      json["x_m"] = place->xyz_m->at(0);
+      json["y_m"] = place->xyz_m->at(1);
+      json["z_m"] = place->xyz_m->at(2);
+    } else if (place != nullptr) {
+      json["position_m"] = place->position_m;
+      json["angle_deg"] = place->angle_rad * kRadian_deg;
+    }
+    const Json direction = record.sensor_roves ? Json() : direction_json(record, point);
+    if (!direction.is_null()) json["direction"] = direction;
+    out.push_back(std::move(json));
+  }
+  return known ? out : Json::array();
+}
+
 // What the record states of its points' directions and places.
 Json motions_json(const acquire::Record& record) {
   Json out = Json::array();
@@ -148,6 +185,7 @@ std::string survey_json(const pipeline::Survey& survey, JsonOptions options) {
   JsonDocument document = analysis_document(survey.analysis(), options);
   document.add_written("roving", Json(survey.roving() == identify::Roving::hammer ? "hammer" : "sensor"));
   document.add_written("geometry", geometry_json(survey));
+  if (const Json places = places_json(survey); !places.empty()) document.add_written("places", places);
   if (!survey.analysis().record().motions.empty())
     document.add_written("motion", motions_json(survey.analysis().record()));
   if (possible) {

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <complex>
 #include <cstddef>
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "metrics/compare.hpp"
 
 namespace percuss::report::read_document_test {
@@ -71,6 +73,27 @@ TEST(ReadDocument, ReadsOrdersAndConfidences) {
   };
   EXPECT_EQ(orders_of("free"), (std::vector<int>{1, 2}));
   EXPECT_EQ(orders_of("clamped"), (std::vector<int>{0, 0})) << "a held bat has other modes";
+}
+
+TEST(ReadDocument, ReadsPlaces) {
+  const auto documents =
+      parse_documents(R"({"schema": "percuss/analysis/1", "modes": [], "places": [)"
+                      R"({"point": 0, "number": 7, "x_m": 0.1, "y_m": 0.2, "z_m": 0.3, "direction": [0, 0, -1]},)"
+                      R"({"point": 1, "position_m": 0.5, "angle_deg": 90}, {"point": 2}]})",
+                      "test.json");
+  const auto& places = documents.at(0).places;
+  ASSERT_EQ(places.size(), 3U);
+  EXPECT_EQ(places.at(0).number, 7);
+  EXPECT_EQ(places.at(0).xyz_m, (std::array{0.1, 0.2, 0.3}));
+  EXPECT_EQ(places.at(0).direction, (std::array{0.0, 0.0, -1.0}));
+  EXPECT_EQ(places.at(1).number, 1);
+  ASSERT_TRUE(places.at(1).xyz_m.has_value());
+  EXPECT_NEAR(places.at(1).xyz_m->at(0), 0.5, kRounding);
+  EXPECT_NEAR(places.at(1).xyz_m->at(1), 0, kRounding);
+  EXPECT_FALSE(places.at(2).xyz_m.has_value());
+  EXPECT_THROW(
+      parse_documents(R"({"schema": "percuss/analysis/1", "modes": [], "places": [{"x_m": 0.1}]})", "test.json"),
+      InputError);
 }
 
 // A table of these points and channels would take 10^10 cells.
