@@ -188,6 +188,21 @@ def test_mac_compares_results():
         percuss.mac(part[0, 2], other)
 
 
+def test_mac_matches_points_by_their_coordinates():
+    shapes = np.array([[1.0, 2.0, -1.0, 0.5, 3.0], [0.5, -1.0, 1.0, 2.0, 0.3]])
+    places = np.array([[0.1 * p, 0.05 * p**2, 0.0] for p in range(5)])
+
+    def survey(order):
+        order = list(order)
+        return percuss.survey(percuss.Frf(FREQ_HZ, responses_of(shapes[:, order])), band=(60, 700), object="other", geometry=places[order])
+
+    whole, part = survey(range(5)), survey([4, 0, 3, 2])
+    assert np.allclose(percuss.mac(whole, part), percuss.mac(shapes[:, [4, 0, 3, 2]]), atol=FIT)
+    compared = percuss.compare(whole, part)
+    assert compared["places"] == {"matched_by": "coordinates", "common": 4, "points_a": 5, "points_b": 4, "coordinates_differ": False}
+    assert all(pair["mac"] > 1 - FIT for pair in compared["pairs"])
+
+
 def responses_of(shapes):
     """(points, 1, lines) of shapes (modes, points), struck at each point and measured at one sensor."""
     s = 2j * np.pi * FREQ_HZ
