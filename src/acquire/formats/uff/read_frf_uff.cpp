@@ -202,6 +202,87 @@ void require_grid(const StoredFrfs& out, const std::string& file) {
   }
 }
 
+// What every FRF of the file is read with.
+struct FrfLayout {
+  const FileBytes& file;
+  const UffContents& contents;
+  UffAnnotation stated;  // of the first function
+  Grid grid;
+  UffStruckPoints points;
+};
+
+// Where the hammer or the roving sensor was: the degree of freedom that is the point.
+const UffDof& point_dof(const UffFunction& f, const FrfLayout& layout) {
+  return layout.grid.sensor_roves ? f.response : f.reference;
+}
+
+int point_of(const UffFunction& f, const FrfLayout& layout) {
+  const int offset = layout.stated.node_offset;
+  const std::int64_t number = (layout.grid.sensor_roves ? f.response.node : layout.points.point(f.reference)) - offset;
+  require_point_number(point_dof(f, layout).node - offset, uff_location(layout.file, f.at));
+  require_point_number(number, uff_location(layout.file, f.at));
+  return static_cast<int>(number);
+}
+
+void describe_channel(const UffFunction& f, std::size_t channel, SignalInfo& signal) {
+  const UffAnnotation annotation = uff_annotation(f);
+  signal.name = "accel " + std::to_string(channel + 1);
+  if (annotation.angle_deg) signal.angle_rad = *annotation.angle_deg * kDegree_rad;
+  signal.position_m = annotation.position_m;
+}
+
+// Adds the FRF, its channel and its place. Returns whether the FRF changes its sign.
+bool add_frf(const UffFunction& f, const FrfLayout& layout, StoredFrfs& out) {
+  const Grid& grid = layout.grid;
+  const bool by_percuss = layout.stated.by_percuss;
+  const std::size_t channel = grid.channels.at(grid.channel_key(f)) - 1;
+  SignalInfo& signal = out.record.accel[channel];
+  describe_channel(f, channel, signal);
+  const int point = point_of(f, layout);
+  // The directions of percuss stand for the angles of its sensors; its values have no other sign.
+  const double sign = by_percuss ? 1 : uff_sign(f, f.reference);
+  out.frfs.push_back(stored_frf(f, point, channel, sign));
+  if (!by_percuss) {
+    const UffDof& moved = point_dof(f, layout);
+    const std::size_t roving_channel = grid.sensor_roves ? channel : 0;
+    add_uff_motion(layout.contents, moved, point, roving_channel, moved.node - layout.stated.node_offset,
+                   out.record.motions);
+    if (!grid.sensor_roves) signal.axis = uff_axis(layout.contents, f.response);
+  }
+  if (same_place(f.response, f.reference)) out.record.driving.push_back({point, channel});
+  return sign < 0;
+}
+
+void add_frfs(const Functions& frfs, const FrfLayout& layout, StoredFrfs& out) {
+  out.record.sensor_roves = layout.grid.sensor_roves;
+  out.record.accel.resize(layout.grid.channels.size());
+  const auto coherences = coherences_of(layout.contents);
+  std::size_t changed = 0;
+  for (const UffFunction* f : frfs) {
+    if (add_frf(*f, layout, out)) ++changed;
+    const auto coherence = coherences.find({key_of(f->reference), key_of(f->response)});
+    if (coherence != coherences.end())
+      add_coherence(*coherence->second, uff_location(layout.file, coherence->second->at), out.frfs.back());
+  }
+  if (changed > 0) out.record.notes.push_back(information(uff_sign_note(changed, frfs.size(), "FRFs")));
+  sort_motions(out.record.motions);
+}
+
+// What the file states of all FRFs: format, lines, unit, estimator, window and geometry.
+void add_statements(const UffFunction& first, const FileBytes& file, const UffContents& contents,
+                    const UffAnnotation& stated, StoredFrfs& out) {
+  out.record.files.push_back({.path = file.path, .bytes = file.size});
+  out.record.format = "FRF UFF";
+  out.record.notes = uff_notes(contents);
+  out.set_lines(lines_of_function(first, uff_location(file, first.at)));
+  bool known = false;
+  const FrfUnit unit = unit_of_function(first, contents, known);
+  if (known) out.unit = unit;
+  out.record.estimator = stated.estimator;
+  out.record.decay_per_s = std::max(0.0, stated.decay_per_s.value_or(0));
+  add_uff_geometry(contents, stated.node_offset, out.record);
+}
+
 }  // namespace
 
 std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents& contents, bool forced) {
@@ -213,63 +294,20 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
   }
   if (frfs.empty() || (times && !forced)) return std::nullopt;
   require_same_lines(frfs, file);
-  const UffFunction& first = *frfs.front();
-  const std::string name = input_name(file.path);
   StoredFrfs out;
-  out.record.files.push_back({.path = file.path, .bytes = file.size});
-  out.record.format = "FRF UFF";
-  out.record.notes = uff_notes(contents);
-  out.set_lines(lines_of_function(first, uff_location(file, first.at)));
-  bool known = false;
-  const FrfUnit unit = unit_of_function(first, contents, known);
-  if (known) out.unit = unit;
-  const UffAnnotation stated = uff_annotation(first);
-  out.record.estimator = stated.estimator;
-  out.record.decay_per_s = std::max(0.0, stated.decay_per_s.value_or(0));
-  out.record.geometry = uff_geometry(contents, stated.node_offset, out.record.notes);
-  if (!out.record.geometry.empty()) {
-    out.record.trace_lines = uff_trace_lines(contents, stated.node_offset);
-    out.record.trace_faces = uff_trace_faces(contents, stated.node_offset);
-  }
+  const UffAnnotation stated = uff_annotation(*frfs.front());
+  add_statements(*frfs.front(), file, contents, stated, out);
   StruckSet struck;
   for (const UffFunction* f : frfs) struck.insert(struck_key(*f));
-  const Grid grid = grid_of(frfs, struck);
-  const UffStruckPoints points(struck, contents);
-  if (points.several_per_node() && !grid.sensor_roves) out.record.notes.push_back(information(points.note()));
-  out.record.sensor_roves = grid.sensor_roves;
-  out.record.accel.resize(grid.channels.size());
-  const auto coherences = coherences_of(contents);
-  std::size_t changed = 0;
-  for (const UffFunction* f : frfs) {
-    const std::size_t channel = grid.channels.at(grid.channel_key(*f)) - 1;
-    SignalInfo& signal = out.record.accel[channel];
-    const UffAnnotation annotation = uff_annotation(*f);
-    signal.name = "accel " + std::to_string(channel + 1);
-    if (annotation.angle_deg) signal.angle_rad = *annotation.angle_deg * kDegree_rad;
-    signal.position_m = annotation.position_m;
-    const UffDof& moved = grid.sensor_roves ? f->response : f->reference;
-    const std::int64_t number =
-        (grid.sensor_roves ? f->response.node : points.point(f->reference)) - stated.node_offset;
-    require_point_number(moved.node - stated.node_offset, uff_location(file, f->at));
-    require_point_number(number, uff_location(file, f->at));
-    const int point = static_cast<int>(number);
-    // The directions of percuss stand for the angles of its sensors; its values have no other sign.
-    const double sign = stated.by_percuss ? 1 : uff_sign(*f, f->reference);
-    if (sign < 0) ++changed;
-    out.frfs.push_back(stored_frf(*f, point, channel, sign));
-    if (!stated.by_percuss) {
-      const std::size_t roving_channel = grid.sensor_roves ? channel : 0;
-      add_uff_motion(contents, moved, point, roving_channel, moved.node - stated.node_offset, out.record.motions);
-      if (!grid.sensor_roves) signal.axis = uff_axis(contents, f->response);
-    }
-    if (same_place(f->response, f->reference)) out.record.driving.push_back({point, channel});
-    const auto coherence = coherences.find({key_of(f->reference), key_of(f->response)});
-    if (coherence != coherences.end())
-      add_coherence(*coherence->second, uff_location(file, coherence->second->at), out.frfs.back());
-  }
-  if (changed > 0) out.record.notes.push_back(information(uff_sign_note(changed, frfs.size(), "FRFs")));
-  sort_motions(out.record.motions);
-  require_grid(out, name);
+  const FrfLayout layout{.file = file,
+                         .contents = contents,
+                         .stated = stated,
+                         .grid = grid_of(frfs, struck),
+                         .points = UffStruckPoints(struck, contents)};
+  if (layout.points.several_per_node() && !layout.grid.sensor_roves)
+    out.record.notes.push_back(information(layout.points.note()));
+  add_frfs(frfs, layout, out);
+  require_grid(out, input_name(file.path));
   return out;
 }
 

@@ -234,6 +234,85 @@ std::string spectra_in(const std::vector<UffFunction>& functions) {
   return out;
 }
 
+// The functions that are time records, named by their ID lines.
+std::vector<const UffFunction*> time_records(UffContents& contents) {
+  std::vector<UffFunction*> functions;
+  for (UffFunction& function : contents.functions) {
+    if (is_time_record(function)) functions.push_back(&function);
+  }
+  name_by_id_lines(functions);
+  return {functions.begin(), functions.end()};
+}
+
+// Says what the file holds instead of time records.
+[[noreturn]] void refuse_without_time_records(const UffContents& contents, const std::string& file) {
+  const std::vector<UffFunction>& all = contents.functions;
+  if (std::any_of(all.begin(), all.end(), [](const UffFunction& function) { return is_uff_frf(function); })) {
+    throw InputError("the file holds FRFs, not a time record", file,
+                     "give the time record that the FRFs were estimated from");
+  }
+  if (const auto spectra = spectra_in(all); !spectra.empty()) {
+    throw InputError("neither time records nor FRFs, but " + spectra, file,
+                     "these functions are no FRFs: give the time record, or FRFs (function type 4)");
+  }
+  throw InputError("no time records and no FRFs among " + list_of_sets(contents), file,
+                   contents.shapes > 0
+                       ? "the file holds mode shapes; give the time record that they were identified from"
+                       : "export functions as data set 58");
+}
+
+// The rows with their points, driving points, places and directions.
+void add_rows(const OpenUff& open, const UffAnnotation& stated, SignalTable& table) {
+  const auto struck = struck_in(open.rows);
+  const UffStruckPoints points(struck, open.contents);
+  table.sensor_roves = roving_sensors(open.rows, struck);
+  if (table.sensor_roves) {
+    for (TableSignal& signal : table.signals) signal.axis.reset();
+  } else if (struck.size() == 1) {
+    require_fixed_sensors(open.rows, input_name(open.file.path));
+  }
+  if (points.several_per_node()) table.notes.push_back(information(points.note()));
+  for (const UffRow& row : open.rows) {
+    const int point = point_of_row(row, table.sensor_roves, points, open.file);
+    table.rows.push_back(
+        {.samples = row.front()->count, .point = point, .run = stated.by_percuss ? row.front()->load_case : 0});
+    add_driving_places(row, point, table.driving);
+    if (!stated.by_percuss) add_motions(open.contents, row, point, stated.node_offset, table);
+  }
+}
+
+void add_sampling_rate(const UffFunction& function, const FileBytes& file, SignalTable& table) {
+  std::string note;
+  table.fs_Hz = rate_of_function_Hz(function, uff_location(file, function.at), note);
+  if (!note.empty()) table.notes.emplace_back(note, std::vector<OptionId>{"fs"});
+}
+
+// The table of all rows. It keeps the open file for reading.
+SignalTable table_of(const std::shared_ptr<OpenUff>& open, const std::vector<std::string>& names,
+                     const ReadOptions& options) {
+  const UffRow& first = open->rows.front();
+  const UffAnnotation stated = uff_annotation(*first.front());
+  SignalTable table;
+  table.files.push_back({.path = open->file.path, .bytes = open->file.size});
+  table.format = "UFF";
+  table.notes = uff_notes(open->contents);
+  for (std::size_t i = 0; i < first.size(); ++i)
+    table.signals.push_back(signal_of(*first[i], names[i], open->contents));
+  add_rows(*open, stated, table);
+  if (!stated.by_percuss) {
+    table.sign_of_directions = [open](const SignalRoles& roles, std::size_t row, std::size_t signal) {
+      return sign_in_row(open->rows[row], roles, signal);
+    };
+  }
+  add_uff_geometry(open->contents, stated.node_offset, table);
+  if (!options.fs_Hz) add_sampling_rate(*first.front(), open->file, table);
+  table.continuous = stated.by_percuss ? stated.continuous : table.rows.size() == 1;
+  table.read = [open](std::size_t row, std::size_t signal, std::size_t start, std::span<double> out) {
+    open->rows[row][signal]->read(0, start, out);
+  };
+  return table;
+}
+
 }  // namespace
 
 bool is_time_record(const UffFunction& function) {
@@ -251,71 +330,12 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
   open->file = file;
   open->contents = std::move(contents);
   const std::string name = input_name(file.path);
-  std::vector<UffFunction*> named_by_lines;
-  for (UffFunction& function : open->contents.functions) {
-    if (is_time_record(function)) named_by_lines.push_back(&function);
-  }
-  name_by_id_lines(named_by_lines);
-  const std::vector<const UffFunction*> functions(named_by_lines.begin(), named_by_lines.end());
-  if (functions.empty()) {
-    const auto& all = open->contents.functions;
-    if (std::any_of(all.begin(), all.end(), [](const UffFunction& function) { return is_uff_frf(function); })) {
-      throw InputError("the file holds FRFs, not a time record", name,
-                       "give the time record that the FRFs were estimated from");
-    }
-    if (const auto spectra = spectra_in(all); !spectra.empty()) {
-      throw InputError("neither time records nor FRFs, but " + spectra, name,
-                       "these functions are no FRFs: give the time record, or FRFs (function type 4)");
-    }
-    const bool shapes = open->contents.shapes > 0;
-    throw InputError("no time records and no FRFs among " + list_of_sets(open->contents), name,
-                     shapes ? "the file holds mode shapes; give the time record that they were identified from"
-                            : "export functions as data set 58");
-  }
+  const std::vector<const UffFunction*> functions = time_records(open->contents);
+  if (functions.empty()) refuse_without_time_records(open->contents, name);
   const ReadOptions named = with_names(options, functions);
   open->rows = uff_rows(functions, force_functions(functions, named), name);
-  SignalTable table;
-  table.files.push_back({.path = file.path, .bytes = file.size});
-  table.format = "UFF";
-  table.notes = uff_notes(open->contents);
-  const UffRow& first = open->rows.front();
-  const auto names = names_of_row(first);
-  for (std::size_t i = 0; i < first.size(); ++i)
-    table.signals.push_back(signal_of(*first[i], names[i], open->contents));
-  const auto struck = struck_in(open->rows);
-  const UffStruckPoints points(struck, open->contents);
-  const UffAnnotation stated = uff_annotation(*first.front());
-  table.sensor_roves = roving_sensors(open->rows, struck);
-  if (table.sensor_roves) {
-    for (TableSignal& signal : table.signals) signal.axis.reset();
-  } else if (struck.size() == 1) {
-    require_fixed_sensors(open->rows, name);
-  }
-  if (points.several_per_node()) table.notes.push_back(information(points.note()));
-  for (const UffRow& row : open->rows) {
-    const int point = point_of_row(row, table.sensor_roves, points, file);
-    table.rows.push_back(
-        {.samples = row.front()->count, .point = point, .run = stated.by_percuss ? row.front()->load_case : 0});
-    add_driving_places(row, point, table.driving);
-    if (!stated.by_percuss) add_motions(open->contents, row, point, stated.node_offset, table);
-  }
-  if (!stated.by_percuss) {
-    table.sign_of_directions = [open](const SignalRoles& roles, std::size_t row, std::size_t signal) {
-      return sign_in_row(open->rows[row], roles, signal);
-    };
-  }
-  table.geometry = uff_geometry(open->contents, stated.node_offset, table.notes);
-  if (!table.geometry.empty()) {
-    table.trace_lines = uff_trace_lines(open->contents, stated.node_offset);
-    table.trace_faces = uff_trace_faces(open->contents, stated.node_offset);
-  }
-  std::string note;
-  if (!options.fs_Hz) table.fs_Hz = rate_of_function_Hz(*first.front(), uff_location(file, first.front()->at), note);
-  if (!note.empty()) table.notes.emplace_back(note, std::vector<OptionId>{"fs"});
-  table.continuous = stated.by_percuss ? stated.continuous : table.rows.size() == 1;
-  table.read = [open](std::size_t row, std::size_t signal, std::size_t start, std::span<double> out) {
-    open->rows[row][signal]->read(0, start, out);
-  };
+  const auto names = names_of_row(open->rows.front());
+  SignalTable table = table_of(open, names, options);
   try {
     if (table.sign_of_directions) note_changed_signs(open->rows, find_roles(table, named), table.notes);
     return record_of_table(std::move(table), named);
