@@ -62,8 +62,8 @@ class Analysis {
 
   /// The delays taken out of the channels: stated in the options, or established by the phases of the modes.
   const std::vector<ChannelDelay>& corrected_delays() const;
-  /// The record with predictions in the place of missing samples (acquire::gaps_of). Not kept: each call computes it.
-  ClosedGaps closed_gaps() const;
+  /// The record with predictions in the place of missing samples (acquire::gaps_of).
+  const ClosedGaps& closed_gaps() const;
   /// The record of closed_gaps() without corrected_delays(). Every result follows from it.
   const acquire::Record& aligned_record() const;
 
@@ -165,6 +165,7 @@ class Analysis {
   mutable Trace trace_;
   mutable BudgetMeter budget_;
   Lazy<std::vector<ChannelDelay>> corrected_delays_;
+  Lazy<ClosedGaps> closed_gaps_;
   Lazy<acquire::Record> aligned_record_;
   // Results refer neither to the analysis nor to each other.
   Lazy<std::vector<AnalysedHit>> force_hits_, gated_hits_, hits_;
