@@ -159,6 +159,11 @@ class Analysis {
   std::vector<AnalysedHit> compute_hits() const;
   const std::vector<identify::ModeClassification>& types() const;
   const std::vector<Eigen::VectorXcd>& modal_sums() const;
+  struct HitEvidence;  // of warnings()
+  HitEvidence hit_evidence() const;
+  std::vector<Warning> warnings_of_hits(const HitEvidence& evidence) const;
+  std::vector<Warning> warnings_of_channels(const HitEvidence& evidence) const;
+  std::vector<Warning> warnings_of_modes(const HitEvidence& evidence) const;
 
   std::shared_ptr<const Source> source_;
   AnalysisOptions options_;
