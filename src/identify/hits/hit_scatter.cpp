@@ -145,9 +145,19 @@ void add_part(const ScatterOfHits& scatter, StdParts& parts, double& spread, dou
   total = parts.total();
 }
 
-void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window, const std::vector<Mode>& of_hits,
-            const std::vector<double>& peak_N, std::vector<Mode>& modes, std::vector<ModeScatter>& scatter) {
-  const auto fitted = fitted_hit_poles(set, hits, modes, window, of_hits);
+// The FRFs of a test, of its single hits, and the peak forces of the hits.
+struct FittedHits {
+  const FrfDataset& set;
+  const HitFrfs& hits;
+  const WindowedHitPoles& linear;
+  const std::vector<double>& peak_N;
+};
+
+// Fits the modes of a window to each hit. Where the hits differ, takes the mean of their poles.
+void fit_each_hit(const FittedHits& to, const ModeWindow& window, std::vector<Mode>& modes,
+                  std::vector<ModeScatter>& scatter) {
+  const auto& [set, hits, linear, peak_N] = to;
+  const auto fitted = fitted_hit_poles(set, hits, modes, window, linear.of_hits);
   const std::vector<Pole> before = window.poles(modes);
   for (std::size_t i = 0; i < window.modes.size(); ++i) {
     const std::size_t m = window.modes[i];
@@ -208,7 +218,7 @@ void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const WindowedH
   for (const HitPoles& poles : linear.poles) scatter.push_back(scatter_of_mode(poles, peak_N, hits.points));
   for (const ModeWindow& window : linear.windows) {
     if (std::any_of(window.modes.begin(), window.modes.end(), [&](std::size_t m) { return scatter[m].significant(); }))
-      refine(set, hits, window, linear.of_hits, peak_N, modes, scatter);
+      fit_each_hit({.set = set, .hits = hits, .linear = linear, .peak_N = peak_N}, window, modes, scatter);
   }
   std::vector<HitSeries> series;
   for (std::size_t m = 0; m < modes.size(); ++m) {
