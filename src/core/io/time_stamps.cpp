@@ -156,7 +156,8 @@ std::vector<double> steps_of(std::span<const double> time_s) {
   return steps;
 }
 
-double median_of(std::vector<double> values) {
+// The median; of an even number of values the upper of the two in the middle, so that it is one of the values.
+double upper_median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
@@ -165,7 +166,7 @@ double median_of(std::vector<double> values) {
 // The usual step: the mean of the steps near the median, which differ only by rounding. 0 if there are none.
 double usual_step_s(const std::vector<double>& steps) {
   constexpr double kUsual = 0.5;  // largest difference from the median, relative to it
-  const double middle_s = median_of(steps);
+  const double middle_s = upper_median(steps);
   double sum_s = 0, count = 0;
   for (const double step_s : steps) {
     if (std::abs(step_s - middle_s) > kUsual * middle_s) continue;
@@ -194,7 +195,7 @@ std::vector<StampGap> long_steps(const std::vector<double>& steps, double step_s
 // The index of the stamp after the step that differs most from the median step, for messages.
 std::size_t oddest_step(const TimeStamps& row, double& step_s) {
   const std::vector<double> steps = steps_of(row.time_s);
-  step_s = median_of(steps);
+  step_s = upper_median(steps);
   const auto odd = std::max_element(steps.begin(), steps.end(),
                                     [&](double a, double b) { return std::abs(a - step_s) < std::abs(b - step_s); });
   return static_cast<std::size_t>(odd - steps.begin()) + 1;
