@@ -167,7 +167,7 @@ MatVariable described(const std::string& name, const matvar_t* variable) {
 
 }  // namespace
 
-void MatFlattener::check_claim(const matvar_t* variable, std::size_t depth) {
+void MatVariableReader::check_claim(const matvar_t* variable, std::size_t depth) {
   if (variable == nullptr || variable->dims == nullptr) return;
   if (depth > kMaxDepth) refuse("structures within structures more than 8 deep");
   const std::uint64_t count = elements(variable);
@@ -185,7 +185,7 @@ void MatFlattener::check_claim(const matvar_t* variable, std::size_t depth) {
   spend(count, std::max<std::uint64_t>(each_bytes, 1) * (variable->isComplex != 0 ? 2 : 1));
 }
 
-void MatFlattener::add(const std::string& name, const matvar_t* variable) {
+void MatVariableReader::add(const std::string& name, const matvar_t* variable) {
   if (variable == nullptr || variable->dims == nullptr) return;
   if (out_.variables.size() >= kMaxVariables) refuse("more than 10000 variables");
   if (is_number_class(variable->class_type)) return add_numbers(name, variable);
@@ -206,25 +206,25 @@ void MatFlattener::add(const std::string& name, const matvar_t* variable) {
                         : "it is a string or an object (save it as char, or as a structure)");
 }
 
-bool MatFlattener::reads(const matvar_t* variable) {
+bool MatVariableReader::reads(const matvar_t* variable) {
   const auto kind = variable->class_type;
   return is_number_class(kind) || kind == MAT_C_CHAR || kind == MAT_C_STRUCT || kind == MAT_C_CELL;
 }
 
-void MatFlattener::spend(std::uint64_t count, std::uint64_t each_bytes) {
+void MatVariableReader::spend(std::uint64_t count, std::uint64_t each_bytes) {
   if (count > left_bytes_ / each_bytes) refuse("the file claims more numbers than it can hold");
   left_bytes_ -= count * each_bytes;
 }
 
-void MatFlattener::skip(const std::string& name, const std::string& why) {
+void MatVariableReader::skip(const std::string& name, const std::string& why) {
   out_.notes.emplace_back(fmt::format("{} is not read: {}", one_line(name, kNameShown), why));
 }
 
-void MatFlattener::refuse(const std::string& problem) const {
+void MatVariableReader::refuse(const std::string& problem) const {
   throw InputError(problem, out_.path, "is it damaged? Save it again");
 }
 
-void MatFlattener::add_numbers(const std::string& name, const matvar_t* variable) {
+void MatVariableReader::add_numbers(const std::string& name, const matvar_t* variable) {
   if (variable->rank < 1 || static_cast<std::size_t>(variable->rank) > kMaxMatDimensions)
     return skip(name, fmt::format("it has {} dimensions", variable->rank));
   MatVariable out = described(name, variable);
@@ -246,18 +246,18 @@ void MatFlattener::add_numbers(const std::string& name, const matvar_t* variable
   out_.variables.push_back(std::move(out));
 }
 
-void MatFlattener::add_text(const std::string& name, const matvar_t* variable) {
+void MatVariableReader::add_text(const std::string& name, const matvar_t* variable) {
   MatVariable out = described(name, variable);
   out.is_text = true;
   out.text = text_of(variable);
   out_.variables.push_back(std::move(out));
 }
 
-void MatFlattener::add_structure(const std::string& name, const matvar_t* variable) {
+void MatVariableReader::add_structure(const std::string& name, const matvar_t* variable) {
   add_fields(name, fields_of(variable));
 }
 
-void MatFlattener::add_fields(const std::string& name, const std::vector<MatField>& fields) {
+void MatVariableReader::add_fields(const std::string& name, const std::vector<MatField>& fields) {
   for (const MatField& field : fields) {
     const std::vector<std::string> channels = channel_names(field);
     if (!channels.empty() && channels.size() <= kMaxElements) return add_channels(channels, fields);
@@ -265,7 +265,7 @@ void MatFlattener::add_fields(const std::string& name, const std::vector<MatFiel
   for (const MatField& field : fields) add_elements(name + "." + field.name, field.values, '(', ')');
 }
 
-void MatFlattener::add_channels(const std::vector<std::string>& names, const std::vector<MatField>& fields) {
+void MatVariableReader::add_channels(const std::vector<std::string>& names, const std::vector<MatField>& fields) {
   const bool one_array = std::count_if(fields.begin(), fields.end(), holds_samples) == 1;
   for (const MatField& field : fields) {
     std::string suffix = "." + field.name;
@@ -275,13 +275,13 @@ void MatFlattener::add_channels(const std::vector<std::string>& names, const std
   }
 }
 
-void MatFlattener::add_elements(const std::string& name, const std::vector<const matvar_t*>& elements_of, char open,
-                                char close) {
+void MatVariableReader::add_elements(const std::string& name, const std::vector<const matvar_t*>& elements_of,
+                                     char open, char close) {
   if (elements_of.empty()) return;
   if (elements_of.size() == 1) return add(name, elements_of.front());
   if (elements_of.size() > kMaxElements) refuse("more than 4096 elements in " + one_line(name, kNameShown));
   MatFile parts{.path = out_.path};
-  MatFlattener within(parts, UINT64_MAX);
+  MatVariableReader within(parts, UINT64_MAX);
   bool alike = true;
   std::string suffix;  // what follows the element's number in the name: ".x" of "test(1).x"
   for (std::size_t e = 0; e < elements_of.size(); ++e) {
