@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "acquire/formats/mat/mat_flattener.hpp"
+#include "acquire/formats/mat/mat_variable_reader.hpp"
 #include "support/files/mat_builder.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"

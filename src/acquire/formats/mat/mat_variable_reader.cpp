@@ -1,4 +1,4 @@
-#include "acquire/formats/mat/mat_flattener.hpp"
+#include "acquire/formats/mat/mat_variable_reader.hpp"
 
 #include <fmt/format.h>
 #include <matio.h>
