@@ -10,11 +10,7 @@ struct matvar_t;  // of matio
 
 namespace percuss::acquire {
 
-/// A field of a structure array, with its value in each element.
-struct MatField {
-  std::string name;
-  std::vector<const matvar_t*> values;
-};
+struct MatField;
 
 /// Turns the variables of a MAT file, with the fields and cells in them, into variables of `out`.
 /// errors  InputError: more than 10000 variables, 4096 elements or 8 levels; more numbers than the file can hold; a
