@@ -12,6 +12,7 @@
 #include "acquire/channels/axis_unit.hpp"
 #include "acquire/formats/uff/read_uff.hpp"
 #include "acquire/formats/uff/uff_directions.hpp"
+#include "acquire/formats/uff/uff_frf_grid.hpp"
 #include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/io/parse_number.hpp"
@@ -19,62 +20,6 @@
 
 namespace percuss::acquire {
 namespace {
-
-using Functions = std::vector<const UffFunction*>;
-
-// A degree of freedom of a response or of the hammer: name, node, direction.
-using DofKey = std::tuple<std::string, int, int>;
-DofKey key_of(const UffDof& dof) { return {dof.name, dof.node, dof.direction}; }
-
-using StruckSet = std::set<std::pair<int, int>>;  // node and unsigned direction
-std::pair<int, int> struck_key(const UffFunction& f) { return {f.reference.node, std::abs(f.reference.direction)}; }
-
-// Assigns the degrees of freedom of the FRFs to points and channels.
-struct Grid {
-  bool sensor_roves = false;
-  bool by_name = true, by_sign = true;  // whether names and signs tell channels apart
-  // The number of each channel, from 1.
-  std::map<DofKey, std::size_t> channels;
-  DofKey channel_key(const UffFunction& f) const {
-    const UffDof& at = f.response;
-    return {by_name ? at.name : "", sensor_roves ? 0 : at.node, by_sign ? at.direction : std::abs(at.direction)};
-  }
-};
-
-// Whether each FRF has a point and a channel of its own.
-bool is_unique(const Grid& grid, const Functions& frfs) {
-  std::set<std::tuple<std::pair<int, int>, DofKey>> seen;
-  return std::all_of(frfs.begin(), frfs.end(), [&](const UffFunction* f) {
-    const auto point = grid.sensor_roves ? std::pair{f->response.node, 0} : struck_key(*f);
-    return seen.emplace(point, grid.channel_key(*f)).second;
-  });
-}
-
-// A direction and its opposite are one degree of freedom. Names tell fixed sensors apart. The names of roving sensors,
-// and all signs, count only where channels are the same without them.
-void choose_channel_key(Grid& grid, const Functions& frfs) {
-  for (const auto& [by_name, by_sign] : {std::pair{false, false}, std::pair{true, false}, std::pair{true, true}}) {
-    if (!by_name && !grid.sensor_roves) continue;
-    grid.by_name = by_name;
-    grid.by_sign = by_sign;
-    if (is_unique(grid, frfs)) return;
-  }
-}
-
-Grid grid_of(const Functions& frfs, const StruckSet& struck) {
-  Grid grid;
-  std::set<int> sensed;
-  for (const UffFunction* f : frfs) sensed.insert(f->response.node);
-  grid.sensor_roves = struck.size() == 1 && sensed.size() > 1;
-  choose_channel_key(grid, frfs);
-  for (const UffFunction* f : frfs) grid.channels.emplace(grid.channel_key(*f), 0);
-  std::size_t next = 0;
-  for (const UffFunction* f : frfs) {  // numbered in the file's order
-    auto& number = grid.channels.at(grid.channel_key(*f));
-    if (number == 0) number = ++next;
-  }
-  return grid;
-}
 
 // The factor of the response to SI. Sets `kind` and whether the axis states it (`known`).
 double response_factor(const UffAxis& axis, const UffContents& contents, FrfKind& kind, bool& known) {
@@ -141,7 +86,7 @@ bool have_same_lines(const UffFunction& a, const UffFunction& b) {
   return true;
 }
 
-void require_same_lines(const Functions& frfs, const FileBytes& file) {
+void require_same_lines(const UffFrfs& frfs, const FileBytes& file) {
   for (const UffFunction* f : frfs) {
     const bool same = have_same_lines(*f, *frfs.front());
     if (same && f->complex) continue;
@@ -176,11 +121,11 @@ void add_coherence(const UffFunction& coherence, const std::string& where, Store
   }
 }
 
-using FrfDofs = std::tuple<DofKey, DofKey>;  // reference, response
+using FrfDofs = std::tuple<UffDofKey, UffDofKey>;  // reference, response
 std::map<FrfDofs, const UffFunction*> coherences_of(const UffContents& contents) {
   std::map<FrfDofs, const UffFunction*> out;
   for (const UffFunction& f : contents.functions) {
-    if (f.type == Uff58::coherence) out.emplace(FrfDofs{key_of(f.reference), key_of(f.response)}, &f);
+    if (f.type == Uff58::coherence) out.emplace(FrfDofs{uff_dof_key(f.reference), uff_dof_key(f.response)}, &f);
   }
   return out;
 }
@@ -207,7 +152,7 @@ struct FrfLayout {
   const FileBytes& file;
   const UffContents& contents;
   UffAnnotation stated;  // of the first function
-  Grid grid;
+  UffFrfGrid grid;
   UffStruckPoints points;
 };
 
@@ -233,7 +178,7 @@ void describe_channel(const UffFunction& f, std::size_t channel, SignalInfo& sig
 
 // Adds the FRF, its channel and its place. Returns whether the FRF changes its sign.
 bool add_frf(const UffFunction& f, const FrfLayout& layout, StoredFrfs& out) {
-  const Grid& grid = layout.grid;
+  const UffFrfGrid& grid = layout.grid;
   const bool by_percuss = layout.stated.by_percuss;
   const std::size_t channel = grid.channels.at(grid.channel_key(f)) - 1;
   SignalInfo& signal = out.record.accel[channel];
@@ -253,14 +198,14 @@ bool add_frf(const UffFunction& f, const FrfLayout& layout, StoredFrfs& out) {
   return sign < 0;
 }
 
-void add_frfs(const Functions& frfs, const FrfLayout& layout, StoredFrfs& out) {
+void add_frfs(const UffFrfs& frfs, const FrfLayout& layout, StoredFrfs& out) {
   out.record.sensor_roves = layout.grid.sensor_roves;
   out.record.accel.resize(layout.grid.channels.size());
   const auto coherences = coherences_of(layout.contents);
   std::size_t changed = 0;
   for (const UffFunction* f : frfs) {
     if (add_frf(*f, layout, out)) ++changed;
-    const auto coherence = coherences.find({key_of(f->reference), key_of(f->response)});
+    const auto coherence = coherences.find({uff_dof_key(f->reference), uff_dof_key(f->response)});
     if (coherence != coherences.end())
       add_coherence(*coherence->second, uff_location(layout.file, coherence->second->at), out.frfs.back());
   }
@@ -288,7 +233,7 @@ void add_statements(const UffFunction& first, const FileBytes& file, const UffCo
 std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents& contents, bool forced) {
   const auto& all = contents.functions;
   const bool times = std::any_of(all.begin(), all.end(), is_time_record);
-  Functions frfs;
+  UffFrfs frfs;
   for (const UffFunction& f : all) {
     if (is_uff_frf(f)) frfs.push_back(&f);
   }
@@ -297,12 +242,12 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
   StoredFrfs out;
   const UffAnnotation stated = uff_annotation(*frfs.front());
   add_statements(*frfs.front(), file, contents, stated, out);
-  StruckSet struck;
-  for (const UffFunction* f : frfs) struck.insert(struck_key(*f));
+  UffStruckSet struck;
+  for (const UffFunction* f : frfs) struck.insert(uff_struck_key(*f));
   const FrfLayout layout{.file = file,
                          .contents = contents,
                          .stated = stated,
-                         .grid = grid_of(frfs, struck),
+                         .grid = uff_frf_grid(frfs, struck),
                          .points = UffStruckPoints(struck, contents)};
   if (layout.points.several_per_node() && !layout.grid.sensor_roves)
     out.record.notes.push_back(information(layout.points.note()));
