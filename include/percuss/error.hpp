@@ -51,6 +51,7 @@ struct Message {
   std::string text;
   std::vector<OptionId> options;
   bool information = false;  // states only how something was read or done: nothing is in doubt
+  std::string code;          // identifies a message that the analysis acts on; mostly empty
 
   /// "text (--fs, --unit)"; only the text where `options` is empty. Options of other commands follow "see":
   /// "text (--geometry; see percuss survey --example)".

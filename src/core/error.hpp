@@ -2,6 +2,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "percuss/error.hpp"
 
@@ -12,6 +13,12 @@ inline namespace core {
 inline Message information(std::string text) {
   Message message(std::move(text));
   message.information = true;
+  return message;
+}
+
+/// `message` with this Message::code.
+inline Message with_code(Message message, std::string code) {
+  message.code = std::move(code);
   return message;
 }
 

@@ -170,7 +170,7 @@ class StartedSearch {
   std::vector<RefusedStart> refused_of(const std::vector<double>& asked_Hz,
                                        const std::vector<FittedMode>& fitted) const {
     std::vector<RefusedStart> refused;
-    const auto named = poles_of_starts(set_.lines, start_Hz_, poles_of(fitted), kAnyDistance);
+    const auto named = match_starts_to_poles(set_.lines, start_Hz_, poles_of(fitted), kAnyDistance);
     for (std::size_t s = 0; s < start_Hz_.size(); ++s) {
       if (!named[s] || std::find(asked_Hz.begin(), asked_Hz.end(), start_Hz_[s]) == asked_Hz.end()) continue;
       if (auto why = refusal_of(set_.lines, start_Hz_[s], fitted[*named[s]])) refused.push_back(*why);
@@ -229,7 +229,7 @@ StartedModes with_started_modes(const FrfDataset& set, std::vector<Mode> found, 
 
 std::vector<std::optional<std::size_t>> modes_of_starts(const acquire::LineRange& lines, const std::vector<Mode>& modes,
                                                         const std::vector<double>& start_Hz) {
-  return poles_of_starts(lines, start_Hz, poles_of_modes(modes), kMaxBandwidthsFromStart);
+  return match_starts_to_poles(lines, start_Hz, poles_of_modes(modes), kMaxBandwidthsFromStart);
 }
 
 std::vector<Mode> modes_at_starts(const acquire::LineRange& lines, const std::vector<Mode>& modes,

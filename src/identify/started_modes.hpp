@@ -17,10 +17,10 @@ struct StartedModes {
 };
 
 /// Adds the modes of the starts that name no mode of `found`, the modes of a search. A start names the nearest mode
-/// within a bandwidth (poles_of_starts). Only the other starts are fitted, to the FRFs without the modes found; then
-/// all modes are fitted together. A mode found near such a start may be two modes fitted as one: it is fitted again
-/// with the start. A start well between two modes found stands for one mode in their place. If every start names a
-/// mode, `found` does not change.
+/// within a bandwidth (match_starts_to_poles). Only the other starts are fitted, to the FRFs without the modes found;
+/// then all modes are fitted together. A mode found near such a start may be two modes fitted as one: it is fitted
+/// again with the start. A start well between two modes found stands for one mode in their place. If every start names
+/// a mode, `found` does not change.
 StartedModes with_started_modes(const FrfDataset& set, std::vector<Mode> found, std::vector<double> start_Hz,
                                 Effort effort);
 

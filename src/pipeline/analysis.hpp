@@ -62,8 +62,8 @@ class Analysis {
 
   /// The delays taken out of the channels: stated in the options, or established by the phases of the modes.
   const std::vector<ChannelDelay>& corrected_delays() const;
-  /// The record with predictions in the place of missing samples (acquire::gaps_of). Not kept: each call computes it.
-  ClosedGaps closed_gaps() const;
+  /// The record with predictions in the place of missing samples (acquire::gaps_of).
+  const ClosedGaps& closed_gaps() const;
   /// The record of closed_gaps() without corrected_delays(). Every result follows from it.
   const acquire::Record& aligned_record() const;
 
@@ -159,12 +159,18 @@ class Analysis {
   std::vector<AnalysedHit> compute_hits() const;
   const std::vector<identify::ModeClassification>& types() const;
   const std::vector<Eigen::VectorXcd>& modal_sums() const;
+  struct HitEvidence;  // of warnings()
+  HitEvidence hit_evidence() const;
+  std::vector<Warning> warnings_of_hits(const HitEvidence& evidence) const;
+  std::vector<Warning> warnings_of_channels(const HitEvidence& evidence) const;
+  std::vector<Warning> warnings_of_modes(const HitEvidence& evidence) const;
 
   std::shared_ptr<const Source> source_;
   AnalysisOptions options_;
   mutable Trace trace_;
   mutable BudgetMeter budget_;
   Lazy<std::vector<ChannelDelay>> corrected_delays_;
+  Lazy<ClosedGaps> closed_gaps_;
   Lazy<acquire::Record> aligned_record_;
   // Results refer neither to the analysis nor to each other.
   Lazy<std::vector<AnalysedHit>> force_hits_, gated_hits_, hits_;

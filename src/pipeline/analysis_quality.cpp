@@ -24,7 +24,9 @@ const std::vector<ChannelDelay>& Analysis::corrected_delays() const {
   });
 }
 
-ClosedGaps Analysis::closed_gaps() const { return close_gaps(record(), force_hits()); }
+const ClosedGaps& Analysis::closed_gaps() const {
+  return within_budget(budget_, closed_gaps_, [&] { return close_gaps(record(), force_hits()); });
+}
 
 const acquire::Record& Analysis::aligned_record() const {
   return within_budget(budget_, aligned_record_, [&] {

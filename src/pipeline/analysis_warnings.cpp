@@ -3,6 +3,8 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "pipeline/analysis.hpp"
 #include "pipeline/hits/hit_noise.hpp"
@@ -28,16 +30,6 @@ namespace percuss::pipeline {
 
 namespace {
 
-// A window that the recorder applied makes the noise before a hit larger than at the end, and the modes differ by the
-// time of the hit. The warnings about these would name wrong causes.
-void remove_consequences_of_window(std::vector<Warning>& warnings) {
-  const bool windowed = std::any_of(warnings.begin(), warnings.end(),
-                                    [](const Warning& warning) { return warning.code == "already_windowed"; });
-  if (!windowed) return;
-  std::erase_if(warnings,
-                [](const Warning& warning) { return warning.code == "not_at_rest" || warning.code == "hits_differ"; });
-}
-
 // The sensors whose ratios gave the modes their types; nothing if no mode has a ratio.
 std::optional<identify::SensorPair> tube_sensors(const acquire::Record& record,
                                                  const std::vector<identify::ModeClassification>& classifications) {
@@ -49,80 +41,125 @@ std::optional<identify::SensorPair> tube_sensors(const acquire::Record& record,
   return identify::pair_of_sensors(angles_rad);
 }
 
+void append(std::vector<Warning>& out, std::vector<Warning> more) {
+  out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+bool has_code(const std::vector<Warning>& warnings, std::string_view code) {
+  return std::any_of(warnings.begin(), warnings.end(), [&](const Warning& warning) { return warning.code == code; });
+}
+
+void remove_code(std::vector<Warning>& warnings, std::string_view code) {
+  std::erase_if(warnings, [&](const Warning& warning) { return warning.code == code; });
+}
+
+// A window that the recorder applied makes the noise before a hit larger than at the end, and the modes differ by the
+// time of the hit. The warnings about these would name wrong causes.
+void remove_consequences_of_window(std::vector<Warning>& warnings) {
+  if (!has_code(warnings, "already_windowed")) return;
+  remove_code(warnings, "not_at_rest");
+  remove_code(warnings, "hits_differ");
+}
+
 }  // namespace
 
-std::vector<Warning> Analysis::warnings() const {
-  const std::vector<AnalysedHit>& graded = hits_.ready() ? hits() : force_hits();
+// The hits, and what several groups of warnings need to know of them.
+struct Analysis::HitEvidence {
+  const std::vector<AnalysedHit>& graded;
+  std::vector<SilentPoint> silent_points;
+  std::vector<Warning> silent_channels;  // silent_response_warnings(); empty if modes were found
+  std::vector<Warning> other_units;      // point_force_warnings()
+};
+
+Analysis::HitEvidence Analysis::hit_evidence() const {
+  HitEvidence out{.graded = hits_.ready() ? hits() : force_hits()};
+  if (responses_.ready()) out.silent_points = silent_points(out.graded, responses());
+  if (given_frfs() == nullptr) out.other_units = point_force_warnings(record(), out.graded, point_names());
+  if (modes_.ready() && modes().empty() && responses_.ready())
+    out.silent_channels = silent_response_warnings(record(), out.graded, responses());
+  return out;
+}
+
+std::vector<Warning> Analysis::warnings_of_hits(const HitEvidence& evidence) const {
+  const std::vector<AnalysedHit>& graded = evidence.graded;
   const bool force_known = given_frfs() == nullptr;
-  const bool user_chose_modes = options_.modes.modes.has_value() || !options_.modes.start_Hz.empty();
-  std::vector<Warning> out;
-  const auto add = [&](std::vector<Warning> more) {
-    out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  };
-  add(options_.known);
-  add(input_warnings(record()));
-  add(capture_warnings(record()));
-  if (modes_.ready() && !force_known) add(force_noise_warnings(modes()));
-  const std::vector<SilentPoint> silent_at =
-      responses_.ready() ? silent_points(graded, responses()) : std::vector<SilentPoint>{};
   std::set<std::size_t> noisy_hits;
   if (force_known && responses_.ready() && hits_.ready())
     noisy_hits = hits_that_differ_by_noise(graded, responses(), transform_options());
-  for (const SilentPoint& one : silent_at) noisy_hits.insert(one.hits.begin(), one.hits.end());
-  add(hit_warnings(record(), graded, point_names(), noisy_hits));
-  if (force_known) add(refused_hit_warnings(graded, options_.accept_hits, options_.reject_hits));
-  const std::vector<Warning> other_units =
-      force_known ? point_force_warnings(record(), graded, point_names()) : std::vector<Warning>{};
-  add(other_units);
-  if (force_known && lines_.ready()) add(used_hit_warnings(record(), graded, lines().samples, point_names()));
-  if (force_known) add(role_warnings(record(), graded, options_.hits));
-  if (force_known) add(closed_gap_warnings(closed_gaps(), graded));
-  add(channel_warnings(record(), graded));
-  add(silent_point_warnings(record(), silent_at, point_names()));
-  const auto silent = modes_.ready() && modes().empty() && responses_.ready()
-                          ? silent_response_warnings(record(), graded, responses())
-                          : std::vector<Warning>{};
-  add(silent);
-  if (force_known && responses_.ready() && hits_.ready()) add(record_findings(record(), graded, responses()));
-  if (modes_.ready() && force_known && other_units.empty())
-    add(point_range_warnings(record(), graded, modes(), point_names()));
-  if (modes_.ready() && force_known) add(pretrigger_warnings(record(), graded, fitted_frfs()));
-  if (responses_.ready() && options_.hits.gate_force) add(coupling_warnings(graded, band_Hz().first));
-  add(rest_warnings(graded, earlier_ringing_.ready() ? earlier_ringing() : std::vector<EarlierRinging>{}));
+  for (const SilentPoint& one : evidence.silent_points) noisy_hits.insert(one.hits.begin(), one.hits.end());
+  std::vector<Warning> out = hit_warnings(record(), graded, point_names(), noisy_hits);
+  if (!force_known) return out;
+  append(out, refused_hit_warnings(graded, options_.accept_hits, options_.reject_hits));
+  append(out, evidence.other_units);
+  if (lines_.ready()) append(out, used_hit_warnings(record(), graded, lines().samples, point_names()));
+  append(out, role_warnings(record(), graded, options_.hits));
+  append(out, closed_gap_warnings(closed_gaps(), graded));
+  return out;
+}
+
+std::vector<Warning> Analysis::warnings_of_channels(const HitEvidence& evidence) const {
+  const std::vector<AnalysedHit>& graded = evidence.graded;
+  const bool force_known = given_frfs() == nullptr;
+  std::vector<Warning> out = channel_warnings(record(), graded);
+  append(out, silent_point_warnings(record(), evidence.silent_points, point_names()));
+  append(out, evidence.silent_channels);
+  if (force_known && responses_.ready() && hits_.ready()) append(out, record_findings(record(), graded, responses()));
+  if (modes_.ready() && force_known && evidence.other_units.empty())
+    append(out, point_range_warnings(record(), graded, modes(), point_names()));
+  if (modes_.ready() && force_known) append(out, pretrigger_warnings(record(), graded, fitted_frfs()));
+  if (responses_.ready() && options_.hits.gate_force) append(out, coupling_warnings(graded, band_Hz().first));
+  append(out, rest_warnings(graded, earlier_ringing_.ready() ? earlier_ringing() : std::vector<EarlierRinging>{}));
   if (modes_.ready()) {
     const SensorDirections sensors{
         .angles_assumed = options_.classes.angles_assumed,
         .tube = classifications_.ready() ? tube_sensors(record(), classifications()) : std::nullopt};
-    add(channel_mode_warnings(record(), modes(), channel_findings(), force_known, sensors));
+    append(out, channel_mode_warnings(record(), modes(), channel_findings(), force_known, sensors));
   }
-  if (modes_.ready()) {
-    add(freq_scatter_warnings(modes(), force_known ? order_of_points(graded) : std::map<int, double>{}));
-    add(hit_scatter_warnings(modes(), residual_end_Hz_));
-    add(mass_loading_warnings(modes()));
-    add(truncation_warnings(modes(), lines(), window_decay_per_s(), force_known, decay_cut()));
-    add(no_modes_warnings(modes(), band_Hz(), !options_.modes.start_Hz.empty()));
-    if (!user_chose_modes) add(local_fit_warnings(modes()));
-    add(refused_start_warnings(refused_starts_));
-    if (!user_chose_modes) add(unmodelled_peak_warnings(unexplained_peaks(), band_Hz()));
-    add(unmodelled_pole_warnings(unmodelled_poles(), band_Hz()));
-    if (!options_.band_Hz && !user_chose_modes) add(below_band_warnings(margin_modes_, band_Hz()));
-    add(crowd_warnings(modes(), band_Hz()));
-  }
+  return out;
+}
+
+std::vector<Warning> Analysis::warnings_of_modes(const HitEvidence& evidence) const {
+  const bool force_known = given_frfs() == nullptr;
+  const bool user_chose_modes = options_.modes.modes.has_value() || !options_.modes.start_Hz.empty();
+  std::vector<Warning> out =
+      freq_scatter_warnings(modes(), force_known ? order_of_points(evidence.graded) : std::map<int, double>{});
+  append(out, hit_scatter_warnings(modes(), residual_end_Hz_));
+  append(out, mass_loading_warnings(modes()));
+  append(out, truncation_warnings(modes(), lines(), window_decay_per_s(), force_known, decay_cut()));
+  append(out, no_modes_warnings(modes(), band_Hz(), !options_.modes.start_Hz.empty()));
+  if (!user_chose_modes) append(out, local_fit_warnings(modes()));
+  append(out, refused_start_warnings(refused_starts_));
+  if (!user_chose_modes) append(out, unmodelled_peak_warnings(unexplained_peaks(), band_Hz()));
+  append(out, unmodelled_pole_warnings(unmodelled_poles(), band_Hz()));
+  if (!options_.band_Hz && !user_chose_modes) append(out, below_band_warnings(margin_modes_, band_Hz()));
+  append(out, crowd_warnings(modes(), band_Hz()));
+  return out;
+}
+
+std::vector<Warning> Analysis::warnings() const {
+  const HitEvidence evidence = hit_evidence();
+  std::vector<Warning> out = options_.known;
+  append(out, input_warnings(record()));
+  append(out, capture_warnings(record()));
+  if (modes_.ready() && given_frfs() != nullptr) append(out, force_noise_warnings(modes()));
+  append(out, warnings_of_hits(evidence));
+  append(out, warnings_of_channels(evidence));
+  if (modes_.ready()) append(out, warnings_of_modes(evidence));
   if (classifications_.ready()) {
-    add(object_warnings(classifications(), options_.classes));
-    const auto of_tube = tube_warnings(record(), modes(), classifications(), options_.classes, modes_are_complete());
-    const auto is = [](const char* code) { return [code](const Warning& warning) { return warning.code == code; }; };
+    append(out, object_warnings(classifications(), options_.classes));
+    std::vector<Warning> of_tube =
+        tube_warnings(record(), modes(), classifications(), options_.classes, modes_are_complete());
     // A unit that differs explains the implausible motion.
-    if (std::any_of(of_tube.begin(), of_tube.end(), is("units_differ"))) std::erase_if(out, is("implausible_motion"));
-    add(of_tube);
-    add(split_mode_warnings(modes(), classifications()));
-    add(three_wave_warnings(modes(), classifications()));
+    if (has_code(of_tube, "units_differ")) remove_code(out, "implausible_motion");
+    append(out, std::move(of_tube));
+    append(out, split_mode_warnings(modes(), classifications()));
+    append(out, three_wave_warnings(modes(), classifications()));
   }
   remove_consequences_of_window(out);
   if (has_reversed_phase(record())) remove_consequences_of_reversed_phase(out);
   // Responses that are noise differ from hit to hit.
-  if (!silent.empty() && silent.size() == record().accel.size())
-    std::erase_if(out, [](const Warning& warning) { return warning.code == "hits_disagree"; });
+  const std::size_t silent = evidence.silent_channels.size();
+  if (silent > 0 && silent == record().accel.size()) remove_code(out, "hits_disagree");
   return ranked(std::move(out));
 }
 

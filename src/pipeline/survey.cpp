@@ -191,6 +191,8 @@ const std::vector<identify::ModeClassification>& Survey::classifications() const
   return within_budget(analysis_.budget(), classifications_, [&] { return classify_by_shapes(); });
 }
 
+// Uses the radial part of the shape if the record states the directions of the roving hammer or sensor. Otherwise takes
+// the whole shape as radial.
 std::optional<identify::TubeShape> Survey::shape_on_tube(const identify::ModeShape& shape) const {
   const acquire::Record& record = analysis_.record();
   const bool stated = record.sensor_roves == (roving_ == identify::Roving::sensor) && !record.motions.empty();

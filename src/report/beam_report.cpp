@@ -5,10 +5,9 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "core/math/significance.hpp"
+#include "report/json/frequency_fit.hpp"
 #include "report/json/json_document.hpp"
 #include "report/json/or_null.hpp"
-#include "report/text/birge_text.hpp"
 #include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
 #include "report/text/version.hpp"
@@ -47,33 +46,31 @@ Json beam_json(const model::UniformBeam& beam) {
           {"shear_stiffness_n", beam.shear_stiffness_N > 0 ? Json(beam.shear_stiffness_N) : Json()}};
 }
 
-// Whether the standard deviations of the fit follow from those of the frequencies.
-bool states_std(const BeamOrigin& origin) { return origin.fit && origin.measured.front().std_Hz > 0; }
-
-std::size_t degrees_of(const BeamOrigin& origin) { return origin.measured.size() - origin.fit->parameters.size(); }
+FrequencyFit frequency_fit(const BeamOrigin& origin) {
+  if (!origin.fit) return {};
+  FrequencyFit out{.parameters = origin.fit->parameters.size(), .chi2 = origin.fit->chi2};
+  for (std::size_t i = 0; i < origin.measured.size(); ++i) {
+    const model::MeasuredFrequency& one = origin.measured[i];
+    out.frequencies.push_back({one.mode, one.freq_Hz, one.std_Hz, origin.fit->model_Hz[i]});
+  }
+  return out;
+}
 
 Json fit_json(const BeamOrigin& origin) {
   if (!origin.fit && !origin.torsion) return {};
-  Json parameters = Json::array(), frequencies = Json::array();
+  Json parameters = Json::array();
   const auto add = [&](model::BeamParameter which, double value, const std::optional<double>& std) {
     parameters.push_back({{"name", name_of(which).key}, {"value", value}, {"std", or_null(std)}});
   };
   if (origin.torsion) add(model::BeamParameter::torsion, origin.torsion->torsion_Nmprad, origin.torsion->std_Nmprad);
   if (origin.fit) {
     for (const model::FittedParameter& one : origin.fit->parameters) add(one.which, one.value, one.std);
-    for (std::size_t i = 0; i < origin.measured.size(); ++i) {
-      const model::MeasuredFrequency& one = origin.measured[i];
-      frequencies.push_back({{"mode", one.mode},
-                             {"measured_hz", one.freq_Hz},
-                             {"measured_std_hz", one.std_Hz > 0 ? Json(one.std_Hz) : Json()},
-                             {"model_hz", origin.fit->model_Hz[i]},
-                             {"difference_percent", 100 * (origin.fit->model_Hz[i] / one.freq_Hz - 1)}});
-    }
   }
+  const FrequencyFit fit = frequency_fit(origin);
   Json json{{"parameters", parameters},
-            {"frequencies", frequencies},
+            {"frequencies", frequencies_json(fit)},
             {"at_limit", origin.fit.has_value() && origin.fit->at_limit}};
-  if (states_std(origin)) json["birge_ratio"] = birge_ratio(origin.fit->chi2, static_cast<double>(degrees_of(origin)));
+  add_birge_ratio(fit, json);
   return json;
 }
 
@@ -92,20 +89,11 @@ ReportText fit_text(const BeamOrigin& origin) {
   if (!origin.fit) return text;
   for (const model::FittedParameter& one : origin.fit->parameters)
     text += "fitted: " + parameter_text(one.which, one.value, one.std);
-  if (states_std(origin)) text += birge_text(origin.fit->chi2, degrees_of(origin));
+  const FrequencyFit fit = frequency_fit(origin);
+  text += birge_text(fit);
   if (origin.fit->at_limit)
     text += "the fitted spring acts like a pinned or a clamped end: its stiffness is not determined\n";
-  TextTable table({{"mode", TextTable::Align::right},
-                   {"measured", TextTable::Align::right},
-                   {"model", TextTable::Align::right},
-                   {"difference", TextTable::Align::right}});
-  for (std::size_t i = 0; i < origin.measured.size(); ++i) {
-    const model::MeasuredFrequency& one = origin.measured[i];
-    table.add({std::to_string(one.mode), value_with_std(one.freq_Hz, one.std_Hz) + " Hz",
-               fmt::format("{:.6g} Hz", origin.fit->model_Hz[i]),
-               fmt::format("{:+.2f} %", 100 * (origin.fit->model_Hz[i] / one.freq_Hz - 1))});
-  }
-  text += table;
+  text += frequency_table(fit);
   text += "\n";
   return text;
 }

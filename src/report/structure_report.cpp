@@ -8,9 +8,9 @@
 
 #include "model/section/profile_warnings.hpp"
 #include "report/beam_report.hpp"
+#include "report/json/frequency_fit.hpp"
 #include "report/json/or_null.hpp"
 #include "report/text/number_format.hpp"
-#include "report/text/text_table.hpp"
 
 namespace percuss::report {
 namespace {
@@ -38,28 +38,24 @@ StructureName name_of(model::StructureParameter which) {
 
 const char* kind_name(model::ProfileKind kind) { return kind == model::ProfileKind::slices ? "slices" : "points"; }
 
-// Whether the standard deviations of the fit follow from those of the frequencies.
-bool gives_std(const StructureOrigin& origin) { return origin.fit && origin.measured.front().std_Hz > 0; }
-
-std::size_t spare_of(const StructureOrigin& origin) { return origin.measured.size() - origin.fit->parameters.size(); }
+FrequencyFit frequency_fit(const StructureOrigin& origin) {
+  FrequencyFit out{.parameters = origin.fit->parameters.size(), .chi2 = origin.fit->chi2};
+  for (std::size_t i = 0; i < origin.measured.size(); ++i) {
+    const model::MeasuredMode& one = origin.measured[i];
+    out.frequencies.push_back({origin.first_mode + one.elastic, one.freq_Hz, one.std_Hz, origin.fit->model_Hz[i]});
+  }
+  return out;
+}
 
 Json structure_fit_json(const StructureOrigin& origin) {
   if (!origin.fit) return {};
-  Json parameters = Json::array(), frequencies = Json::array();
+  Json parameters = Json::array();
   for (const model::FittedStructureParameter& one : origin.fit->parameters) {
     parameters.push_back({{"name", name_of(one.which).key}, {"value", one.value}, {"std", or_null(one.std)}});
   }
-  for (std::size_t i = 0; i < origin.measured.size(); ++i) {
-    const model::MeasuredMode& one = origin.measured[i];
-    const double model_Hz = origin.fit->model_Hz[i];
-    frequencies.push_back({{"mode", origin.first_mode + one.elastic},
-                           {"measured_hz", one.freq_Hz},
-                           {"measured_std_hz", one.std_Hz > 0 ? Json(one.std_Hz) : Json()},
-                           {"model_hz", model_Hz},
-                           {"difference_percent", 100 * (model_Hz / one.freq_Hz - 1)}});
-  }
-  Json json{{"parameters", parameters}, {"frequencies", frequencies}};
-  if (gives_std(origin)) json["birge_ratio"] = birge_ratio(origin.fit->chi2, static_cast<double>(spare_of(origin)));
+  const FrequencyFit fit = frequency_fit(origin);
+  Json json{{"parameters", parameters}, {"frequencies", frequencies_json(fit)}};
+  add_birge_ratio(fit, json);
   return json;
 }
 
@@ -98,18 +94,9 @@ void add_fit_text(const StructureOrigin& origin, ReportText& text) {
                     : fmt::format("fitted: {} {:.6g} {} (no ±: no more frequencies than unknowns)\n", name.name,
                                   one.value / name.per_unit, name.unit);
   }
-  if (gives_std(origin)) text += birge_text(origin.fit->chi2, spare_of(origin));
-  TextTable table({{"mode", TextTable::Align::right},
-                   {"measured", TextTable::Align::right},
-                   {"model", TextTable::Align::right},
-                   {"difference", TextTable::Align::right}});
-  for (std::size_t i = 0; i < origin.measured.size(); ++i) {
-    const model::MeasuredMode& one = origin.measured[i];
-    const double model_Hz = origin.fit->model_Hz[i];
-    table.add({std::to_string(origin.first_mode + one.elastic), value_with_std(one.freq_Hz, one.std_Hz) + " Hz",
-               fmt::format("{:.6g} Hz", model_Hz), fmt::format("{:+.2f} %", 100 * (model_Hz / one.freq_Hz - 1))});
-  }
-  text += table;
+  const FrequencyFit fit = frequency_fit(origin);
+  text += birge_text(fit);
+  text += frequency_table(fit);
 }
 
 }  // namespace

@@ -102,6 +102,48 @@ std::vector<NumericColumn> curve_columns(const model::Trampoline& model, const s
   return {{"hoop_hz", hoop_Hz}, cor, loaded, contact, contacts, over_wall, over_10kHz};
 }
 
+// An object per rebound.
+Json curve_json(const model::Trampoline& model, const std::vector<double>& hoop_Hz,
+                const std::vector<model::Rebound>& sweep, const std::optional<model::FittedExponents>& fitted) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    out.push_back({{"hoop_hz", hoop_Hz[i]},
+                   {"cor", sweep[i].cor},
+                   {"loaded_hoop_hz", model::loaded_hoop_Hz(model, hoop_Hz[i])},
+                   {"contact_s", sweep[i].contact_s},
+                   {"contacts", sweep[i].contacts}});
+    if (!fitted) continue;
+    out.back()["cor_low"] = fitted->range.cor_low[i];
+    out.back()["cor_high"] = fitted->range.cor_high[i];
+  }
+  return out;
+}
+
+// The coefficients of restitution of the barrel, of the rigid wall and of measured bats.
+struct ModelChart {
+  std::vector<double> hoop_Hz, cor;
+  double wall = 0;
+  std::optional<ChartCurve> bats;
+};
+
+// ccor  not used without `fitted`
+std::vector<LineChart> charts_of(ModelChart chart, const std::optional<model::FittedExponents>& fitted,
+                                 CcorCurve ccor) {
+  const std::vector<double>& hoop_Hz = chart.hoop_Hz;
+  std::vector<LineChart> out = {
+      {.title = "Ball and hollow barrel",
+       .x = {.label = "hoop frequency, Hz"},
+       .y = {.label = "coefficient of restitution"},
+       .curves = {{"barrel", hoop_Hz, chart.cor},
+                  {"rigid wall", {hoop_Hz.front(), hoop_Hz.back()}, {chart.wall, chart.wall}}}}};
+  if (chart.bats) out[0].curves.push_back(std::move(*chart.bats));
+  if (fitted) {
+    out[0].bands = {{.x = hoop_Hz, .low = fitted->range.cor_low, .high = fitted->range.cor_high}};
+    out.push_back(ccor_chart(*fitted, std::move(ccor)));
+  }
+  return out;
+}
+
 }  // namespace
 
 CommandReport trampoline_report(const model::Trampoline& model, const std::vector<double>& hoop_Hz,
@@ -120,17 +162,7 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
             {"wall_cor", wall},
             {"cor_10khz", reference},
             {"peak", peak_json(peak, fitted)},
-            {"curve", Json::array()}};
-  for (std::size_t i = 0; i < sweep.size(); ++i) {
-    json["curve"].push_back({{"hoop_hz", hoop_Hz[i]},
-                             {"cor", sweep[i].cor},
-                             {"loaded_hoop_hz", model::loaded_hoop_Hz(model, hoop_Hz[i])},
-                             {"contact_s", sweep[i].contact_s},
-                             {"contacts", sweep[i].contacts}});
-    if (!fitted) continue;
-    json["curve"].back()["cor_low"] = fitted->range.cor_low[i];
-    json["curve"].back()["cor_high"] = fitted->range.cor_high[i];
-  }
+            {"curve", curve_json(model, hoop_Hz, sweep, fitted)}};
   if (extras.modal_mass_kg) json["modal_mass_kg"] = *extras.modal_mass_kg;
   CcorCurve ccor;
   if (fitted) {
@@ -139,19 +171,18 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
   }
   CommandReport report;
   report.columns = curve_columns(model, hoop_Hz, sweep, wall, reference);
-  const std::vector<double> cor = report.columns[1].values;
+  ModelChart chart{.hoop_Hz = hoop_Hz, .cor = report.columns[1].values, .wall = wall};
   if (fitted) {  // before the ratios
     report.columns.insert(report.columns.end() - 2, {"cor_low", fitted->range.cor_low});
     report.columns.insert(report.columns.end() - 2, {"cor_high", fitted->range.cor_high});
   }
-  std::optional<ChartCurve> bats;
   report.text = peak_text(hoop_Hz, peak, wall, reference, fitted) + extras_text(model, peak, extras);
   if (fitted) report.text += trampoline_fit_text(*fitted);
   if (!extras.bats.empty()) {
     const BatsBesideModel beside = bats_beside_model(model, extras.bats);
     json["bats"] = trampoline_bats_json(beside);
     report.text += trampoline_bats_text(beside);
-    bats = trampoline_bats_curve(beside);
+    chart.bats = trampoline_bats_curve(beside);
     std::vector<double> bats_Hz;
     for (const MeasuredBat& bat : beside.bats) bats_Hz.push_back(bat.hoop_Hz);
     report.formulas = extras.formulas;
@@ -159,16 +190,7 @@ CommandReport trampoline_report(const model::Trampoline& model, const std::vecto
   }
   add_warnings(model::trampoline_warnings(model, peak, fitted), json, report.text);
   report.json = indented_text(json) + "\n";
-  report.charts = {
-      {.title = "Ball and hollow barrel",
-       .x = {.label = "hoop frequency, Hz"},
-       .y = {.label = "coefficient of restitution"},
-       .curves = {{"barrel", hoop_Hz, cor}, {"rigid wall", {hoop_Hz.front(), hoop_Hz.back()}, {wall, wall}}}}};
-  if (bats) report.charts[0].curves.push_back(std::move(*bats));
-  if (fitted) {
-    report.charts[0].bands = {{.x = hoop_Hz, .low = fitted->range.cor_low, .high = fitted->range.cor_high}};
-    report.charts.push_back(ccor_chart(*fitted, std::move(ccor)));
-  }
+  report.charts = charts_of(std::move(chart), fitted, std::move(ccor));
   return report;
 }
 

@@ -210,7 +210,7 @@ TEST_F(AnalyzeResponses, SaysWhyThereIsNoResult) {
   const auto blow = run_percuss({"analyze", folder_.file("noise.wav")});
   EXPECT_EQ(blow.code, 4);
   EXPECT_THAT(blow.out, HasSubstr("no impact found"));
-  EXPECT_THAT(blow.out, HasSubstr("! no impact was found: nothing in the record stands out of the noise"));
+  EXPECT_THAT(blow.out, HasSubstr("! no impact was found: no signal rises above the noise"));
   EXPECT_THAT(blow.out, testing::Not(HasSubstr("1 impact")));
   for (const char* file : {"dead.wav", "noise.wav"}) {
     const auto outcome = run_percuss({"analyze", folder_.file(file), "--json"});

@@ -32,6 +32,69 @@ std::vector<double> without_duplicates(std::vector<double> values) {
   return values;
 }
 
+void add_band_options(Command& command, AnalysisFlags& flags) {
+  command
+      .value("--band", flags.band,
+             "Analyse this frequency band in Hz, such as 60:3200 (default: from 1 % of the highest frequency that the "
+             "hammer excites up to this frequency)")
+      .type("LO:HI");
+  command
+      .value("--effort", flags.effort,
+             "Choose the effort. quick: fit modes with a peak, each over its own spectral lines; standard: also modes "
+             "without a peak; best: all modes together, as precisely as the noise permits")
+      .one_of({"quick", "standard", "best"})
+      .show_default();
+  command.value("--estimator", flags.estimator, "Estimate FRFs with h1, h2 or hv")
+      .one_of({"h1", "h2", "hv"})
+      .show_default();
+}
+
+void add_hit_choice_options(Command& command, AnalysisFlags& flags) {
+  command
+      .list(
+          "--accept-hit", flags.accept_hits,
+          "Accept these hits despite their findings: numbers as in the table of hits, ranges, or all; such as 1-5,8. A "
+          "hit without a pulse of the force gives no FRF and stays rejected")
+      .type("I,...")
+      .add_check(kHitsRequirement, names_hits);
+  command.list("--reject-hit", flags.reject_hits, "Reject these hits, written as for --accept-hit")
+      .type("I,...")
+      .add_check(kHitsRequirement, names_hits);
+}
+
+void add_mode_choice_options(Command& command, AnalysisFlags& flags) {
+  command.value("--modes", flags.modes, "Report this many modes, the clearest ones").within(1, 1000);
+  command.list("--start", flags.start_Hz, "List modes near these frequencies and no others")
+      .above_zero()
+      .type("HZ,...");
+}
+
+void add_hit_detection_options(Command& command, AnalysisFlags& flags) {
+  command.value("--trigger", flags.trigger_N, "Detect a hit above this force (default: from the noise)")
+      .above_zero()
+      .type("NEWTON");
+  command.value("--pretrigger", flags.pretrigger_s, "Keep this time before the peak of each hit of a long record")
+      .not_negative()
+      .type("S");
+  command.value("--length", flags.length_s, "Keep this time of each hit, pre-trigger included").above_zero().type("S");
+  command.value("--from", flags.from_s, "Use each row from this time on").not_negative().type("S");
+  command.value("--to", flags.to_s, "Use each row up to this time").above_zero().type("S");
+}
+
+void add_window_options(Command& command, AnalysisFlags& flags) {
+  command
+      .value("--force-window", flags.force_window,
+             "Window the force. auto: only the pulse enters the FRF; off: the whole force record")
+      .one_of({"auto", "off"})
+      .show_default();
+  command
+      .value("--exponential", flags.exponential_end,
+             "Apply an exponential window that falls to this fraction at the end of each hit, such as 0.01; damping is "
+             "corrected exactly")
+      .within(1e-12, 0.999999)
+      .type("FRACTION");
+}
+
 }  // namespace
 
 std::pair<double, double> parse_band(const std::string& text, const OptionId& option) {
@@ -52,54 +115,11 @@ identify::Effort effort_of(const std::string& name) {
 
 void add_analysis_options(Command& command, AnalysisFlags& flags) {
   const std::string previous = command.heading(kAnalysisHeading);
-  command
-      .value("--band", flags.band,
-             "Analyse this frequency band in Hz, such as 60:3200 (default: from 1 % of the highest frequency that the "
-             "hammer excites up to this frequency)")
-      .type("LO:HI");
-  command
-      .value("--effort", flags.effort,
-             "Choose the effort. quick: fit modes with a peak, each over its own spectral lines; standard: also modes "
-             "without a peak; best: all modes together, as precisely as the noise permits")
-      .one_of({"quick", "standard", "best"})
-      .show_default();
-  command.value("--estimator", flags.estimator, "Estimate FRFs with h1, h2 or hv")
-      .one_of({"h1", "h2", "hv"})
-      .show_default();
-  command
-      .list(
-          "--accept-hit", flags.accept_hits,
-          "Accept these hits despite their findings: numbers as in the table of hits, ranges, or all; such as 1-5,8. A "
-          "hit without a pulse of the force gives no FRF and stays rejected")
-      .type("I,...")
-      .add_check(kHitsRequirement, names_hits);
-  command.list("--reject-hit", flags.reject_hits, "Reject these hits, written as for --accept-hit")
-      .type("I,...")
-      .add_check(kHitsRequirement, names_hits);
-  command.value("--modes", flags.modes, "Report this many modes, the clearest ones").within(1, 1000);
-  command.list("--start", flags.start_Hz, "List modes near these frequencies and no others")
-      .above_zero()
-      .type("HZ,...");
-  command.value("--trigger", flags.trigger_N, "Detect a hit above this force (default: from the noise)")
-      .above_zero()
-      .type("NEWTON");
-  command.value("--pretrigger", flags.pretrigger_s, "Keep this time before the peak of each hit of a long record")
-      .not_negative()
-      .type("S");
-  command.value("--length", flags.length_s, "Keep this time of each hit, pre-trigger included").above_zero().type("S");
-  command.value("--from", flags.from_s, "Use each row from this time on").not_negative().type("S");
-  command.value("--to", flags.to_s, "Use each row up to this time").above_zero().type("S");
-  command
-      .value("--force-window", flags.force_window,
-             "Window the force. auto: only the pulse enters the FRF; off: the whole force record")
-      .one_of({"auto", "off"})
-      .show_default();
-  command
-      .value("--exponential", flags.exponential_end,
-             "Apply an exponential window that falls to this fraction at the end of each hit, such as 0.01; damping is "
-             "corrected exactly")
-      .within(1e-12, 0.999999)
-      .type("FRACTION");
+  add_band_options(command, flags);
+  add_hit_choice_options(command, flags);
+  add_mode_choice_options(command, flags);
+  add_hit_detection_options(command, flags);
+  add_window_options(command, flags);
   command
       .value("--delay", flags.delay,
              "Remove the delay by which each accelerometer comes after the force. auto: as the phases of the modes "

@@ -122,6 +122,19 @@ int deflect_files(const DeflectFlags& flags) {
   return test.hits.empty() ? kImpossible : kOk;
 }
 
+void add_comparison_options(Command& command, DeflectFlags& flags) {
+  command
+      .repeatable("--compare", flags.comparison.compared,
+                  "Compare modes and deflections with this document, which analyze or model wrote with --json "
+                  "(repeatable)")
+      .type("FILE");
+  command
+      .list("--beam", flags.comparison.beam,
+            "Compare modes and deflections with this beam of percuss model: ei, rho_a, torsion, length, support, "
+            "ball_mass, speed, hertz")
+      .type("KEY=VALUE,...");
+}
+
 }  // namespace
 
 void add_deflect(CommandLine& line) {
@@ -171,16 +184,7 @@ void add_deflect(CommandLine& line) {
              "Set the time at which the ball crosses the light beam, from the start of the record")
       .finite()
       .type("S");
-  command
-      .repeatable("--compare", flags->comparison.compared,
-                  "Compare modes and deflections with this document, which analyze or model wrote with --json "
-                  "(repeatable)")
-      .type("FILE");
-  command
-      .list("--beam", flags->comparison.beam,
-            "Compare modes and deflections with this beam of percuss model: ei, rho_a, torsion, length, support, "
-            "ball_mass, speed, hertz")
-      .type("KEY=VALUE,...");
+  add_comparison_options(command, *flags);
   add_read_flags(command, flags->read, Reads::records);
   add_analysis_flags(command, flags->analysis);
   add_output_flags(command, flags->output, {".json", ".csv", ".h5", ".hdf5", ".svg", ".html"});

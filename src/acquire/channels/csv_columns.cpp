@@ -44,7 +44,7 @@ class Finder {
         where_(header.text ? file + (header.named ? ": header" : ": no header with names") : file) {}
 
   CsvColumns find() {
-    check_setup();
+    require_setup_columns();
     columns_.hit = column_called("hit");
     columns_.point = column_called("point");
     columns_.run = column_called("run");
@@ -68,7 +68,7 @@ class Finder {
   }
 
   // A misspelt name must not lose its sensor silently.
-  void check_setup() const {
+  void require_setup_columns() const {
     if (!options_.accel_channels.empty()) return;  // the user has chosen
     for (const auto& entry : options_.setup) {
       if (entry.role == "ignore") continue;

@@ -33,7 +33,7 @@ std::string names_of(std::size_t channels) {
                        : "there are " + channel_name(0) + " to " + channel_name(channels - 1);
 }
 
-void check_setup(const ChannelSetup& entry, std::size_t channels, const std::string& path) {
+void require_setup_entry(const ChannelSetup& entry, std::size_t channels, const std::string& path) {
   const std::string where = path + ": channel set-up " + entry.name;
   const bool force = is_force_name(entry.name);
   if (!force && !channel_named(entry.name, channels)) {
@@ -135,7 +135,7 @@ NamedRoles named_roles(const ReadOptions& options, std::size_t channels, bool ha
 }
 
 std::vector<std::size_t> chosen_channels(const ReadOptions& options, std::size_t channels, const std::string& path) {
-  for (const ChannelSetup& entry : options.setup) check_setup(entry, channels, path);
+  for (const ChannelSetup& entry : options.setup) require_setup_entry(entry, channels, path);
   if (!options.force_channel.empty() && !is_force_name(options.force_channel)) {
     throw InputError("no force channel " + options.force_channel, path, "use the name force");
   }

@@ -152,8 +152,7 @@ double hammer_dissimilarity(std::span<const double> samples) {
 
 bool rises_evenly(std::span<const double> samples) {
   constexpr double kMaxDeviation = 0.5;  // of a step
-  constexpr std::size_t kMinStamps = 8;
-  if (samples.size() < kMinStamps) return false;
+  if (samples.size() < kMinRisingSamples) return false;
   const double step = (samples.back() - samples.front()) / static_cast<double>(samples.size() - 1);
   if (!(step > 0) || !std::isfinite(step)) return false;
   for (std::size_t i = 0; i < samples.size(); ++i) {

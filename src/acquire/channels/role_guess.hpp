@@ -45,7 +45,11 @@ double active_share(std::span<const double> samples);
 /// the extremes on both sides of the median. A decay swings to both sides, a pulse to one.                      (2)
 double hammer_dissimilarity(std::span<const double> samples);
 
-/// Whether the numbers rise evenly, as times do: none is more than half a step from its place. False for fewer than 8.
+/// Fewer numbers do not show whether they rise evenly.
+inline constexpr std::size_t kMinRisingSamples = 8;
+
+/// Whether the numbers rise evenly, as times do: none is more than half a step from its place. False for fewer than
+/// kMinRisingSamples.
 bool rises_evenly(std::span<const double> samples);
 
 /// Guesses the unknown roles from the samples. A signal that rises evenly is a time. The force is the signal with the

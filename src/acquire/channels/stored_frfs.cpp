@@ -8,6 +8,7 @@
 
 #include "acquire/channels/named_channels.hpp"
 #include "acquire/channels/signal_overrides.hpp"
+#include "acquire/record/note_codes.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
@@ -162,7 +163,12 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
     record.frfs.push_back({.point = frf.point, .channel = channel, .frf = {}});
     record.frfs.back().frf = accelerance_of(std::move(frf), record, record.accel[channel].to_SI, where);
   }
-  if (phase_rises(record.frfs)) record.notes.emplace_back(kReversedPhaseNote);
+  if (phase_rises(record.frfs)) {
+    record.notes.push_back(with_code(
+        "the phase rises through the resonances: the FRFs may be for exp(−jωt), but percuss needs exp(+jωt); if so, "
+        "reverse the sign of their imaginary part (or of their phase) in the program that exported them",
+        kReversedPhase));
+  }
   if (force.axis && record.motions.empty() && !record.sensor_roves) {
     for (const PointFrf& one : record.frfs)
       record.motions.push_back({.point = one.point, .place = one.point, .along = force.axis});

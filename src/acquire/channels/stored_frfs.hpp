@@ -32,13 +32,9 @@ struct StoredFrfs {
   void set_lines(FrequencyLines frequencies);
 };
 
-/// The note of FRFs that are probably for exp(−jωt).
-inline constexpr const char* kReversedPhaseNote =
-    "the phase rises through the resonances: the FRFs may be for exp(−jωt), but percuss needs exp(+jωt); if so, "
-    "reverse the sign of their imaginary part (or of their phase) in the program that exported them";
-
 /// Applies spacing, unit, kind, channel choice, signs, scales, angles and positions: stored numbers become
-/// accelerances. errors  InputError: options without a meaning for FRFs, a spacing that contradicts the frequencies,
+/// accelerances. A note with the code kReversedPhase says if the FRFs are probably for exp(−jωt).
+/// errors  InputError: options without a meaning for FRFs, a spacing that contradicts the frequencies,
 /// channels that do not exist, implausibly large numbers.
 FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options);
 

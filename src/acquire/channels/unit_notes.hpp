@@ -8,11 +8,9 @@ namespace percuss::acquire {
 void note_assumed_units(Record& record);
 
 /// The note on a sound file whose scale neither the file nor the user states.
-inline constexpr const char* kFullScaleNote =
-    "stored numbers are fractions of full scale: give N and m/s^2 at full scale";
+Message full_scale_note();
 
-/// Whether the note says that nothing states the unit or the scale of the responses. It may begin with the name of its
-/// file (joined_notes.hpp).
+/// Whether the note says that nothing states the unit or the scale of the responses (note_codes.hpp).
 bool is_about_assumed_units(const Message& note);
 
 }  // namespace percuss::acquire

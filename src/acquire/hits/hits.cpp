@@ -36,11 +36,17 @@ std::vector<double> force_between(const Record& record, std::size_t row, std::si
   return x;
 }
 
-// `all` has the baseline removed; further contacts are sought in its first `scanned_samples`. The samples of the hit
-// begin at `offset`. `peak` is its largest sample, counted from `offset`.
-void measure_and_grade_pulse(Hit& hit, std::span<const double> all, std::size_t scanned_samples, std::size_t offset,
-                             std::size_t peak, double fs_Hz, const HitOptions& options) {
-  const auto x = all.subspan(offset);
+// The force around a hit, with the baseline removed.
+struct ForceAround {
+  std::span<const double> all;
+  std::size_t scanned_samples = 0;  // further contacts are sought in these first samples of `all`
+  std::size_t offset = 0;           // where the hit begins in `all`
+  std::size_t peak = 0;             // the hit's largest sample, from its beginning
+};
+
+void measure_and_grade_pulse(Hit& hit, const ForceAround& force, double fs_Hz, const HitOptions& options) {
+  const auto x = force.all.subspan(force.offset);
+  const std::size_t offset = force.offset, peak = force.peak;
   const PulseShape pulse = shape_of_pulse(x, peak);
   hit.peak = hit.first + peak;
   hit.peak_N = x[peak];
@@ -49,7 +55,7 @@ void measure_and_grade_pulse(Hit& hit, std::span<const double> all, std::size_t 
   const Gate gate = gate_around(x, pulse, hit.noise_N);
   if (!options.gate_force) hit.ungated_N.assign(x.begin(), x.end());
   hit.bandwidth_Hz = bandwidth_Hz(x.subspan(gate.first, gate.end - gate.first), fs_Hz);
-  const auto scanned = all.first(std::min(all.size(), scanned_samples));
+  const auto scanned = force.all.first(std::min(force.all.size(), force.scanned_samples));
   const Gate gate_in_all{.first = gate.first + offset, .end = std::min(gate.end + offset, scanned.size())};
   const FurtherForce further =
       further_force(scanned, shape_of_pulse(scanned, offset + peak), gate_in_all, hit.noise_N,
@@ -161,7 +167,8 @@ Hit hit_of_row(const Record& record, std::size_t row, const HitOptions& options)
       std::max_element(at(trigger_scan.largest_first), at(trigger_scan.largest_end), smaller) - x.begin());
   if (!is_hammer_pulse(x, largest, trigger_scan.noise_N, record.fs_Hz))
     return hit_without_pulse(row, part, trigger_scan, options);
-  measure_and_grade_pulse(hit, x, scan_end - part.first, 0, largest, record.fs_Hz, options);
+  measure_and_grade_pulse(hit, {.all = x, .scanned_samples = scan_end - part.first, .offset = 0, .peak = largest},
+                          record.fs_Hz, options);
   const auto length = selected_length(record, options);
   if (length) hit.samples = std::min(hit.samples, std::max(*length, largest + 1));  // the pulse stays inside
   return hit;
@@ -204,7 +211,9 @@ std::vector<Hit> hits_in_row(const Record& record, std::size_t row, const HitOpt
     const std::size_t peak = contacts[c].peak - range.first;
     Hit hit = unmeasured_hit(row, range, trigger_scan);
     const std::size_t offset = range.first - begin;
-    measure_and_grade_pulse(hit, all, offset + peak + scan_samples, offset, peak, record.fs_Hz, options);
+    measure_and_grade_pulse(
+        hit, {.all = all, .scanned_samples = offset + peak + scan_samples, .offset = offset, .peak = peak},
+        record.fs_Hz, options);
     hits.push_back(std::move(hit));
   }
   if (hits.empty()) hits.push_back(hit_without_pulse(row, part, trigger_scan, options));

@@ -165,16 +165,18 @@ void serialize_notes(Serializer& out, const std::vector<Message>& notes) {
     out.put(note.text);
     serialize_options(out, note.options);
     out.put(static_cast<std::uint64_t>(note.information ? 1 : 0));
+    out.put(note.code);
   }
 }
 
 std::vector<Message> deserialize_notes(Deserializer& in) {
   std::vector<Message> notes;
-  const std::size_t count = in.count(3 * sizeof(std::uint64_t));
+  const std::size_t count = in.count(4 * sizeof(std::uint64_t));
   for (std::size_t i = 0; i < count; ++i) {
     std::string text = in.text();
     notes.emplace_back(std::move(text), deserialize_options(in));
     notes.back().information = in.get<std::uint64_t>() != 0;
+    notes.back().code = in.text();
   }
   return notes;
 }

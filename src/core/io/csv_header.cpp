@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/io/parse_number.hpp"
-#include "core/io/time_stamps.hpp"
+#include "core/io/stated_rate.hpp"
 #include "core/units.hpp"
 
 namespace percuss {

@@ -19,10 +19,10 @@ constexpr double kClose = 3;               // half-power bandwidths of the broad
 constexpr double kMinMac = 0.8;
 
 double amplitude_of(const DecayMode& decay) {
-  double of_hits = 0, of_channels = 0;
-  for (const HitAmplitude& hit : decay.hits) of_hits += std::norm(hit.value);
-  for (const Residue& residue : decay.mode.residues) of_channels += std::norm(residue.value);
-  return std::sqrt(of_hits * of_channels);
+  double sum_over_hits = 0, sum_over_channels = 0;
+  for (const HitAmplitude& hit : decay.hits) sum_over_hits += std::norm(hit.value);
+  for (const Residue& residue : decay.mode.residues) sum_over_channels += std::norm(residue.value);
+  return std::sqrt(sum_over_hits * sum_over_channels);
 }
 
 bool have_one_shape(const Mode& a, const Mode& b) {

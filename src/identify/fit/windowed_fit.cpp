@@ -39,7 +39,8 @@ void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_
   }
 }
 
-double largest_of(const FrfDataset& set, const FrfChannel& channel) {
+// Of the lines at which the hammer has power.
+double largest_driven_magnitude(const FrfDataset& set, const FrfChannel& channel) {
   const std::vector<double>& ff = set.points[channel.point].ff;
   const double least = ff.empty() ? 0 : kMinForcePower * *std::max_element(ff.begin(), ff.end());
   double largest = 0;
@@ -53,8 +54,9 @@ double largest_of(const FrfDataset& set, const FrfChannel& channel) {
 
 WindowedFit::WindowedFit(const FrfDataset& set, const WindowedFitOptions& options)
     : set_(set), options_(options), noise_(set), largest_(VectorXd::Zero(static_cast<Index>(set.channels.size()))) {
-  parallel_for_cost(set.channels.size(), kFlopsPerPowerLine * set.lines.count,
-                    [&](std::size_t o) { largest_(static_cast<Index>(o)) = largest_of(set, set.channels[o]); });
+  parallel_for_cost(set.channels.size(), kFlopsPerPowerLine * set.lines.count, [&](std::size_t o) {
+    largest_(static_cast<Index>(o)) = largest_driven_magnitude(set, set.channels[o]);
+  });
 }
 
 std::vector<Pole> WindowedFit::poles() const {

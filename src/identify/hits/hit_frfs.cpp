@@ -21,7 +21,7 @@ std::vector<std::size_t> residue_indices(const FrfDataset& set, const HitFrfs& h
 }
 
 std::vector<VectorXcd> hit_data(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
-                                const ModeWindow& window, const std::vector<Mode>& of_hits) {
+                                const ModeWindow& window, const std::vector<Mode>& modes_in_hits) {
   std::vector<VectorXcd> data(hits.accel.size(), VectorXcd(static_cast<Index>(window.count)));
   for (std::size_t o = 0; o < data.size(); ++o) {
     const Complex* force = hits.set.points[hits.set.channels[o].point].spectra.front().get() + window.first;
@@ -29,12 +29,12 @@ std::vector<VectorXcd> hit_data(const FrfDataset& set, const HitFrfs& hits, cons
     for (std::size_t k = 0; k < window.count; ++k)
       data[o](static_cast<Index>(k)) = conj_times(force[k], accel[k]) * (1 / std::norm(force[k]));
   }
-  if (of_hits.empty()) {
+  if (modes_in_hits.empty()) {
     subtract_other_modes(hits.set, modes, window, residue_indices(set, hits), data);
   } else {
     std::vector<std::size_t> same(data.size());
     std::iota(same.begin(), same.end(), std::size_t{0});
-    subtract_other_modes(hits.set, of_hits, window, same, data);
+    subtract_other_modes(hits.set, modes_in_hits, window, same, data);
   }
   return data;
 }

@@ -21,9 +21,9 @@ struct HitFrfs {
 std::vector<std::size_t> residue_indices(const FrfDataset& set, const HitFrfs& hits);
 
 /// The FRFs of the single hits over a window, without the modes outside it: [channels of hits.set][window.count].
-/// of_hits  the same modes with the residues of the single hits, [channels of hits.set]; empty: each hit has the
-///          residues of the test
+/// modes_in_hits  the same modes with the residues of the single hits, [channels of hits.set]; empty: each hit has the
+///                residues of the test
 std::vector<Eigen::VectorXcd> hit_data(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
-                                       const ModeWindow& window, const std::vector<Mode>& of_hits = {});
+                                       const ModeWindow& window, const std::vector<Mode>& modes_in_hits = {});
 
 }  // namespace percuss::identify

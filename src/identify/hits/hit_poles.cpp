@@ -63,9 +63,9 @@ HitPole hit_pole(const Pole& pole, double freq_std_Hz, double damping_std, const
 }
 
 void step_window(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes, const ModeWindow& window,
-                 const std::vector<Mode>& of_hits, std::vector<HitPoles>& out) {
+                 const std::vector<Mode>& modes_in_hits, std::vector<HitPoles>& out) {
   const std::vector<Pole> poles = window.poles(modes);
-  const auto data = hit_data(set, hits, modes, window, of_hits);
+  const auto data = hit_data(set, hits, modes, window, modes_in_hits);
   const std::size_t terms = LocalFitOptions{}.residual_terms;
   VariableProjection projection(hits.set, data, VectorXd::Ones(static_cast<Index>(data.size())), window.first,
                                 window.count, terms);
@@ -170,16 +170,17 @@ std::vector<VectorXd> noise_scales_of_hits(const HitFrfs& hits, const std::vecto
 }  // namespace
 
 std::vector<HitPoles> linearised_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
-                                           const std::vector<ModeWindow>& windows, const std::vector<Mode>& of_hits) {
+                                           const std::vector<ModeWindow>& windows,
+                                           const std::vector<Mode>& modes_in_hits) {
   std::vector<HitPoles> out(modes.size(), HitPoles{.hits = std::vector<HitPole>(hits.points.size())});
   const std::size_t lines = windows.empty() ? 0 : windows.front().count;
   parallel_for_cost(windows.size(), kFlopsPerLine * lines * hits.accel.size(),
-                    [&](std::size_t w) { step_window(set, hits, modes, windows[w], of_hits, out); });
+                    [&](std::size_t w) { step_window(set, hits, modes, windows[w], modes_in_hits, out); });
   return out;
 }
 
 std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
-                                       const ModeWindow& window, const std::vector<Mode>& of_hits) {
+                                       const ModeWindow& window, const std::vector<Mode>& modes_in_hits) {
   const std::vector<Pole> start = window.poles(modes);
   const auto fit = [&](const FrfDataset& of, const std::vector<VectorXcd>& data) {
     return fit_by_residual(of, data, start, window);
@@ -200,7 +201,7 @@ std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hit
       for (std::size_t i = 0; i < start.size(); ++i) out[i].averages[p] = pole_of_fit(one, i, start[i]);
     });
   }
-  const auto data = hit_data(set, hits, modes, window, of_hits);
+  const auto data = hit_data(set, hits, modes, window, modes_in_hits);
   const std::size_t channels = data.size() / hits.points.size();
   parallel_for_cost(hits.points.size(), 20 * kFlopsPerLine * window.count * channels, [&](std::size_t h) {
     const auto first = data.begin() + static_cast<std::ptrdiff_t>(h * channels);
@@ -247,11 +248,11 @@ std::vector<Mode> modes_with_residues_of_hits(const FrfDataset& set, const HitFr
 
 std::vector<std::size_t> modes_from_hit_scatter(const FrfDataset& set, const HitFrfs& hits,
                                                 const std::vector<Mode>& modes, const ModeWindow& window,
-                                                const std::vector<Mode>& of_hits) {
+                                                const std::vector<Mode>& modes_in_hits) {
   std::vector<std::size_t> imitating, left = window.modes;
   std::vector<Pole> poles = window.poles(modes);
   if (poles.size() < 2) return imitating;
-  const auto data = hit_data(set, hits, modes, window, of_hits);
+  const auto data = hit_data(set, hits, modes, window, modes_in_hits);
   const std::vector<VectorXd> noise_scales = noise_scales_of_hits(hits, data, poles, window);
   HitCosts with = costs_of_hits(hits, data, noise_scales, poles, window);
   const double common = common_cost(hits, data, noise_scales, poles, window);

@@ -31,17 +31,17 @@ struct HitPoles {
 };
 
 /// Each mode's pole in each hit, [modes]: one Gauss–Newton step of the hit's own FRFs from the modes' poles, over each
-/// mode's window. Modes fitted in one window are solved for together; the others are subtracted. `of_hits`: see
-/// hit_data().
+/// mode's window. Modes fitted in one window are solved for together; the others are subtracted. `modes_in_hits`:
+/// see hit_data().
 std::vector<HitPoles> linearised_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
                                            const std::vector<ModeWindow>& windows,
-                                           const std::vector<Mode>& of_hits = {});
+                                           const std::vector<Mode>& modes_in_hits = {});
 
 /// The same for the modes of one window, [window.modes], by complete local fits. They also follow poles too far from
 /// the modes' poles for one Gauss–Newton step. If no point has several hits, the average of all points stands for the
 /// average of each.
 std::vector<HitPoles> fitted_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes,
-                                       const ModeWindow& window, const std::vector<Mode>& of_hits = {});
+                                       const ModeWindow& window, const std::vector<Mode>& modes_in_hits = {});
 
 /// Whether a point has several hits. points: [hits] index of the hit's point
 bool has_repeated_points(const std::vector<std::size_t>& points);
@@ -57,6 +57,6 @@ std::vector<Mode> modes_with_residues_of_hits(const FrfDataset& set, const HitFr
 /// poles common to the hits. At least one mode remains.
 std::vector<std::size_t> modes_from_hit_scatter(const FrfDataset& set, const HitFrfs& hits,
                                                 const std::vector<Mode>& modes, const ModeWindow& window,
-                                                const std::vector<Mode>& of_hits = {});
+                                                const std::vector<Mode>& modes_in_hits = {});
 
 }  // namespace percuss::identify

@@ -145,9 +145,19 @@ void add_part(const ScatterOfHits& scatter, StdParts& parts, double& spread, dou
   total = parts.total();
 }
 
-void refine(const FrfDataset& set, const HitFrfs& hits, const ModeWindow& window, const std::vector<Mode>& of_hits,
-            const std::vector<double>& peak_N, std::vector<Mode>& modes, std::vector<ModeScatter>& scatter) {
-  const auto fitted = fitted_hit_poles(set, hits, modes, window, of_hits);
+// The FRFs of a test, of its single hits, and the peak forces of the hits.
+struct FittedHits {
+  const FrfDataset& set;
+  const HitFrfs& hits;
+  const WindowedHitPoles& linear;
+  const std::vector<double>& peak_N;
+};
+
+// Fits the modes of a window to each hit. Where the hits differ, takes the mean of their poles.
+void fit_each_hit(const FittedHits& to, const ModeWindow& window, std::vector<Mode>& modes,
+                  std::vector<ModeScatter>& scatter) {
+  const auto& [set, hits, linear, peak_N] = to;
+  const auto fitted = fitted_hit_poles(set, hits, modes, window, linear.modes_in_hits);
   const std::vector<Pole> before = window.poles(modes);
   for (std::size_t i = 0; i < window.modes.size(); ++i) {
     const std::size_t m = window.modes[i];
@@ -196,8 +206,8 @@ WindowedHitPoles windowed_hit_poles(const FrfDataset& set, const HitFrfs& hits, 
   if (hits.points.size() < kMinHits || modes.empty()) return out;
   out.windows = mode_windows(set, modes);
   out.poles = linearised_hit_poles(set, hits, modes, out.windows);
-  out.of_hits = modes_with_residues_of_hits(set, hits, modes, out.poles);
-  if (!out.of_hits.empty()) out.poles = linearised_hit_poles(set, hits, modes, out.windows, out.of_hits);
+  out.modes_in_hits = modes_with_residues_of_hits(set, hits, modes, out.poles);
+  if (!out.modes_in_hits.empty()) out.poles = linearised_hit_poles(set, hits, modes, out.windows, out.modes_in_hits);
   return out;
 }
 
@@ -208,7 +218,7 @@ void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const WindowedH
   for (const HitPoles& poles : linear.poles) scatter.push_back(scatter_of_mode(poles, peak_N, hits.points));
   for (const ModeWindow& window : linear.windows) {
     if (std::any_of(window.modes.begin(), window.modes.end(), [&](std::size_t m) { return scatter[m].significant(); }))
-      refine(set, hits, window, linear.of_hits, peak_N, modes, scatter);
+      fit_each_hit({.set = set, .hits = hits, .linear = linear, .peak_N = peak_N}, window, modes, scatter);
   }
   std::vector<HitSeries> series;
   for (std::size_t m = 0; m < modes.size(); ++m) {
@@ -237,7 +247,7 @@ std::vector<double> without_imitating_modes(const FrfDataset& set, const HitFrfs
   const std::vector<std::size_t> residue_of = residue_indices(set, hits);
   std::vector<char> imitating(modes.size(), 0);
   for (const ModeWindow& window : linear.windows) {
-    for (const std::size_t m : spurious_modes_of_nonlinearity(set, hits, modes, window, linear.of_hits))
+    for (const std::size_t m : spurious_modes_of_nonlinearity(set, hits, modes, window, linear.modes_in_hits))
       imitating[m] = 1;
     if (window.modes.size() < 2) continue;
     // Hits do not determine a pair that only imitates their scatter.
@@ -247,7 +257,7 @@ std::vector<double> without_imitating_modes(const FrfDataset& set, const HitFrfs
              is_undetermined(hits, residue_of, modes[m], linear.poles[m]);
     };
     if (std::none_of(window.modes.begin(), window.modes.end(), differs)) continue;
-    for (const std::size_t m : modes_from_hit_scatter(set, hits, modes, window, linear.of_hits)) imitating[m] = 1;
+    for (const std::size_t m : modes_from_hit_scatter(set, hits, modes, window, linear.modes_in_hits)) imitating[m] = 1;
   }
   if (std::none_of(imitating.begin(), imitating.end(), [](char one) { return one != 0; })) return {};
   std::vector<double> left_Hz;

@@ -20,8 +20,8 @@ ScatterOfHits scatter_of_hits(const std::vector<double>& value, const std::vecto
 /// The windows of a set of modes, and the modes' poles in each hit over these windows (linearised_hit_poles).
 struct WindowedHitPoles {
   std::vector<ModeWindow> windows;
-  std::vector<HitPoles> poles;  // [modes]
-  std::vector<Mode> of_hits{};  // [modes] from modes_with_residues_of_hits(); may be empty
+  std::vector<HitPoles> poles;        // [modes]
+  std::vector<Mode> modes_in_hits{};  // [modes] from modes_with_residues_of_hits(); may be empty
 };
 WindowedHitPoles windowed_hit_poles(const FrfDataset& set, const HitFrfs& hits, const std::vector<Mode>& modes);
 

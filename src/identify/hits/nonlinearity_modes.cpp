@@ -55,12 +55,12 @@ bool disagree(const std::vector<ResidueRatio>& ratios) {
 
 std::vector<std::size_t> spurious_modes_of_nonlinearity(const FrfDataset& set, const HitFrfs& hits,
                                                         const std::vector<Mode>& modes, const ModeWindow& window,
-                                                        const std::vector<Mode>& of_hits) {
+                                                        const std::vector<Mode>& modes_in_hits) {
   std::vector<std::size_t> spurious;
   if (std::none_of(window.modes.begin(), window.modes.end(),
                    [&](std::size_t m) { return is_under_another(modes, window, m); }))
     return spurious;
-  const auto data = hit_data(set, hits, modes, window, of_hits);
+  const auto data = hit_data(set, hits, modes, window, modes_in_hits);
   const std::size_t terms = LocalFitOptions{}.residual_terms;
   const double freedom =
       std::max(1.0, static_cast<double>(window.count) - static_cast<double>(window.modes.size() + terms));

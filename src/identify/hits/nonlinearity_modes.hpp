@@ -10,6 +10,6 @@ namespace percuss::identify {
 /// them best and the other hits.
 std::vector<std::size_t> spurious_modes_of_nonlinearity(const FrfDataset& set, const HitFrfs& hits,
                                                         const std::vector<Mode>& modes, const ModeWindow& window,
-                                                        const std::vector<Mode>& of_hits = {});
+                                                        const std::vector<Mode>& modes_in_hits = {});
 
 }  // namespace percuss::identify

@@ -61,7 +61,9 @@ std::optional<bool> residues_agree(const ResidueCoherence& point) {
   return agree(point, static_cast<double>(point.hits));
 }
 
-std::optional<bool> equal_residues_agree(const ResidueCoherence& point) { return agree(point, point.effective_hits); }
+std::optional<bool> residues_of_equal_size_agree(const ResidueCoherence& point) {
+  return agree(point, point.effective_hits);
+}
 
 std::vector<ResidueCoherence> residue_coherence(const FrfDataset& set, const HitFrfs& hits,
                                                 const std::vector<Mode>& modes, const ModeWindow& window,

@@ -20,7 +20,7 @@ std::optional<bool> residues_agree(const ResidueCoherence& point);
 
 /// As residues_agree(), but with effective_hits. For residues of about equal size with unequal variances, as the
 /// remainder of a tone has: their coherence is high by chance if few hits have most of the weight.
-std::optional<bool> equal_residues_agree(const ResidueCoherence& point);
+std::optional<bool> residues_of_equal_size_agree(const ResidueCoherence& point);
 
 /// [points of set] for the mode window.modes[mode]. Each hit is fitted over the window at the modes' poles, which gives
 /// a residue r per channel; w is one over the variance of r. The hits are compared with their own mean in each channel,

@@ -29,9 +29,9 @@ double bandwidths_from_start(const acquire::LineRange& lines, double asked_Hz, c
   return std::max(0.0, std::abs(pole.freq_Hz - asked_Hz) - range_Hz) / width_Hz;
 }
 
-std::vector<std::optional<std::size_t>> poles_of_starts(const acquire::LineRange& lines,
-                                                        const std::vector<double>& start_Hz,
-                                                        const std::vector<Pole>& poles, double max_bandwidths) {
+std::vector<std::optional<std::size_t>> match_starts_to_poles(const acquire::LineRange& lines,
+                                                              const std::vector<double>& start_Hz,
+                                                              const std::vector<Pole>& poles, double max_bandwidths) {
   Eigen::MatrixXd cost(static_cast<Index>(start_Hz.size()), static_cast<Index>(poles.size()));
   for (Index s = 0; s < cost.rows(); ++s) {
     for (Index m = 0; m < cost.cols(); ++m) {
@@ -67,7 +67,7 @@ FittedStarts fit_starts(const FrfDataset& set, std::vector<double> start_Hz, Eff
   options.start_Hz = std::move(start_Hz);
   while (!options.start_Hz.empty()) {
     out.modes = fit_sequentially(set, options);
-    const auto partner = poles_of_starts(set.lines, options.start_Hz, poles_of(out.modes), kAnyDistance);
+    const auto partner = match_starts_to_poles(set.lines, options.start_Hz, poles_of(out.modes), kAnyDistance);
     std::vector<double> accepted_Hz;
     for (std::size_t s = 0; s < options.start_Hz.size(); ++s) {
       const auto why = partner[s] ? refusal_of(set.lines, options.start_Hz[s], out.modes[*partner[s]]) : std::nullopt;

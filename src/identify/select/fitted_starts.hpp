@@ -41,9 +41,9 @@ inline constexpr double kMaxBandwidthsFromStart = 1, kAnyDistance = 1e9;
 
 /// [start_Hz] the index of each start's pole, by one assignment of least total distance; each pole belongs to one start
 /// at most. Nothing for a start without a free pole within `max_bandwidths`.
-std::vector<std::optional<std::size_t>> poles_of_starts(const acquire::LineRange& lines,
-                                                        const std::vector<double>& start_Hz,
-                                                        const std::vector<Pole>& poles, double max_bandwidths);
+std::vector<std::optional<std::size_t>> match_starts_to_poles(const acquire::LineRange& lines,
+                                                              const std::vector<double>& start_Hz,
+                                                              const std::vector<Pole>& poles, double max_bandwidths);
 
 /// The reason to refuse the mode that was fitted from a stated frequency; nothing if it is accepted.
 std::optional<RefusedStart> refusal_of(const acquire::LineRange& lines, double asked_Hz, const FittedMode& found);

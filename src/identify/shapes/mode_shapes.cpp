@@ -105,7 +105,7 @@ double collinearity(const std::vector<ShapePlace>& places) {
   return sum > 0 ? ((xx - yy) * (xx - yy) + 4 * xy * xy) / (sum * sum) : 0;
 }
 
-const ShapePlace* largest_of(const std::vector<ShapePlace>& places) {
+const ShapePlace* largest_place(const std::vector<ShapePlace>& places) {
   const auto most = std::max_element(places.begin(), places.end(), [](const ShapePlace& a, const ShapePlace& b) {
     return std::norm(a.value) < std::norm(b.value);
   });
@@ -117,7 +117,7 @@ void normalise_largest(ModeShape& shape) {
   const Complex turn = turn_of(shape.places);
   scale(shape.places, turn);
   scale(shape.sensors, 1.0 / turn);  // keeps A_pc = φ_p φ_c
-  const ShapePlace* most = largest_of(shape.places);
+  const ShapePlace* most = largest_place(shape.places);
   if (most == nullptr || most->value.real() == 0) return;
   const double by = 1 / most->value.real();
   scale(shape.places, by);
@@ -145,7 +145,7 @@ bool normalise_mass(ModeShape& shape, const Mode& mode, const ShapeOptions& opti
   at->sets_scale = true;
   shape.normalisation = Normalisation::unit_modal_mass;
   shape.scale_std = 0.5 * total_std(*best) / std::abs(best->value);
-  const ShapePlace* most = largest_of(shape.places);
+  const ShapePlace* most = largest_place(shape.places);
   shape.modal_mass_kg = 1 / std::norm(most->value);
   const double of_largest = most->sets_scale ? 0 : most->std / std::abs(most->value);
   shape.modal_mass_std_kg = 2 * *shape.modal_mass_kg * std::hypot(shape.scale_std, of_largest);

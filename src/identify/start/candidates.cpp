@@ -28,7 +28,7 @@ constexpr double kMinResonanceLines = 1.5;  // half-width of the narrowest reson
 constexpr double kMaxResidualModeWidth = 0.03;  // half-width of the broadest mode searched for, over the top frequency
 constexpr std::size_t kFlopsPerLevelLine = 20;  // operations of the noise or weight of one line
 
-double largest_of(std::span<const Complex> h) {
+double largest_magnitude(std::span<const Complex> h) {
   double largest = 0;  // as power
   for (const Complex& value : h) largest = std::max(largest, std::norm(value));
   return std::sqrt(largest);
@@ -187,7 +187,7 @@ std::vector<Resonance> residual_resonances(const FrfDataset& set, const std::vec
   parallel_for_cost(channels.size(), kFlopsPerLevelLine * set.lines.count, [&](std::size_t o) {
     const std::span lines(residual[o].data(), static_cast<std::size_t>(residual[o].size()));
     channels[o] = {residual[o], local_noise(block_noise(lines, window.roughness()), lines.size())};
-    floors[o] = std::pow(kModelFloor * largest_of(set.channels[o].frf), 2);
+    floors[o] = std::pow(kModelFloor * largest_magnitude(set.channels[o].frf), 2);
     for (double& power : channels[o].noise) power = std::max(window.max_factor() * power, floors[o]);
   });
   const double threshold = kMinResidualModeGain + 3 * static_cast<double>(residual.size());

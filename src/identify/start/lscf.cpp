@@ -81,7 +81,7 @@ class PowerSums {
   std::vector<Complex> transform_;
 };
 
-double largest_line_of(std::span<const Complex> lines) {
+double peak_magnitude(std::span<const Complex> lines) {
   double largest = 0;
   for (const Complex& line : lines) largest = std::max(largest, std::abs(line));
   return largest;
@@ -96,7 +96,7 @@ MatrixXcd normal_matrix(const FrfDataset& set, const LscfOptions& options, const
   MatrixXcd matrix = MatrixXcd::Zero(size, size);
   for (std::size_t o = 0; o < set.channels.size(); ++o) {
     const auto h = std::span(set.channels[o].frf).subspan(options.first, options.count);
-    const double largest = largest_line_of(h);
+    const double largest = peak_magnitude(h);
     if (!(largest > 0)) continue;
     const double root = 1 / std::max(noise(static_cast<Index>(o)), kNoiseFloor * largest);  // √w_o
     const VectorXcd real = sums.of([&](std::size_t k) { return root * h[k].real(); });

@@ -98,9 +98,9 @@ std::size_t longest_decay_samples(const acquire::Record& record, const std::vect
                                   const acquire::RelativeBand& band, std::size_t threads, Trace& trace) {
   const std::size_t channels = record.accel.size();
   // Calls task(t, hit, samples) for response t of these hits.
-  const auto for_each_response = [&](const char* stage, const std::vector<std::size_t>& of_hits, const auto& task) {
-    parallel_for(of_hits.size() * channels, threads, [&](std::size_t t) {
-      const acquire::Hit& hit = hits[of_hits[t / channels]].hit;
+  const auto for_each_response = [&](const char* stage, const std::vector<std::size_t>& hit_indices, const auto& task) {
+    parallel_for(hit_indices.size() * channels, threads, [&](std::size_t t) {
+      const acquire::Hit& hit = hits[hit_indices[t / channels]].hit;
       std::vector<double> buffer;
       const acquire::SampleWindow view_or_read = [&](std::size_t first, std::size_t count) {
         return record.read_accel_mps2.view_or_read(hit.row, t % channels, hit.first + first, count, buffer);

@@ -54,7 +54,7 @@ std::vector<Warning> dead_channels(const ResponseTest& test, const std::vector<s
 // no_modes, for a test whose modes were fitted.
 std::vector<Warning> missing_modes(const ResponseTest& test) {
   if (test.no_impact) {
-    return {with_remedy({"no_modes", "no impact was found: nothing in the record stands out of the noise"},
+    return {with_remedy({"no_modes", "no impact was found: no signal rises above the noise"},
                         "check the sensor or microphone and its gain, and strike harder or record nearer")};
   }
   if (!test.fitted || !test.possible()) return {};
@@ -72,8 +72,8 @@ std::vector<Warning> missing_modes(const ResponseTest& test) {
   std::vector<Warning> out = no_modes_warnings(modes, test.band_Hz, !test.options.modes.start_Hz.empty());
   if (!out.empty() || !test.found.modes.empty()) return out;
   return {with_remedy({"no_modes",
-                       fmt::format("no mode was found from {:.4g} to {:.4g} Hz: what rises above the noise there does "
-                                   "not decay",
+                       fmt::format("no mode was found from {:.4g} to {:.4g} Hz: signals rise above the noise there, "
+                                   "but do not decay",
                                    test.band_Hz.first, test.band_Hz.second),
                        {"band"}},
                       "check the band, the sensors and the hits")};

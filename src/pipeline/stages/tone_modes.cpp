@@ -39,9 +39,10 @@ void remove_tone_modes(std::vector<identify::Mode>& modes, const std::vector<Ton
     for (std::size_t i = 0; i < window.modes.size(); ++i) {
       if (!may_be_remainder(modes[window.modes[i]])) continue;
       const auto points = identify::residue_coherence(set, hits(), modes, window, i);
-      remainder[window.modes[i]] = std::none_of(
-          points.begin(), points.end(),
-          [](const identify::ResidueCoherence& point) { return identify::equal_residues_agree(point).value_or(true); });
+      remainder[window.modes[i]] =
+          std::none_of(points.begin(), points.end(), [](const identify::ResidueCoherence& point) {
+            return identify::residues_of_equal_size_agree(point).value_or(true);
+          });
     }
   }
   std::size_t m = 0;

@@ -201,8 +201,8 @@ std::vector<Warning> silent_channels(const acquire::Record& record, const std::v
     out.push_back(with_remedy(
         {"dead_channel",
          fmt::format("{} shows none of the {} modes: its residues are within {:.0f} standard deviations of zero. If it "
-                     "does not respond, what compares it with other channels (bending or hoop, directions, shapes) is "
-                     "wrong",
+                     "is dead, results that compare it with other channels are wrong: bending or hoop, directions, "
+                     "shapes",
                      sensor_name(record.accel, c), modes.size(), kNoResidue),
          {"accel_channel"},
          "",

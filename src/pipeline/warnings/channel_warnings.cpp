@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "acquire/channels/stored_frfs.hpp"
+#include "acquire/record/note_codes.hpp"
 #include "core/math/statistics.hpp"
 #include "pipeline/warnings/hit_list.hpp"
 
@@ -69,13 +69,13 @@ bool stays_in_noise(const std::vector<std::size_t>& hits, const HitResponses& re
 
 bool has_reversed_phase(const acquire::Record& record) {
   return std::any_of(record.notes.begin(), record.notes.end(),
-                     [](const Message& note) { return note.text == acquire::kReversedPhaseNote; });
+                     [](const Message& note) { return note.code == acquire::kReversedPhase; });
 }
 
 std::vector<Warning> input_warnings(const acquire::Record& record) {
   std::vector<Warning> out;
   for (const Message& note : record.notes) {
-    if (note.text == acquire::kReversedPhaseNote) {
+    if (note.code == acquire::kReversedPhase) {
       out.push_back(with_remedy({"reversed_phase",
                                  "the phase of the FRFs rises through the resonances, so that they are probably for "
                                  "exp(−jωt), and percuss needs exp(+jωt): modes are missing or wrong"},

@@ -19,12 +19,6 @@ struct MethodScope {
 /// ±, and the user's choices. Numbers in parentheses are equations of docs/theory/theory.md. Names only what ran.
 std::vector<std::string> method_sentences(const pipeline::Analysis& analysis, const MethodScope& scope);
 
-/// Over which lines the modes were fitted. With effort best: whether the fit of all modes together was taken for any.
-const char* effort_sentence(identify::Effort effort, const std::vector<identify::Mode>& modes);
-
-/// Which modes the joint fit does not describe, and what each ± contains.
-std::vector<std::string> fit_sentences(const std::vector<identify::Mode>& modes);
-
 /// The channels of a record: name, stored unit and factor, angle, position.
 TextTable channels_table(const pipeline::Analysis& analysis);
 

@@ -6,6 +6,10 @@
 
 namespace percuss::report {
 
+std::string counted(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 std::string hertz_text(double freq_Hz) {
   constexpr double kFiveDigits = 9999.5, kMaxDigits = 1e6;
   return freq_Hz >= kFiveDigits && freq_Hz < kMaxDigits ? fmt::format("{:.0f}", freq_Hz)

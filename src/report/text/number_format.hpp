@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string>
 
 #include "core/io/significant_digits.hpp"
@@ -6,6 +7,9 @@
 namespace percuss::report {
 
 using core::value_with_std;
+
+/// "3 rows", "1 row".
+std::string counted(std::size_t count, const std::string& noun);
 
 /// Frequencies: four significant digits, k for thousands ("3.9 kHz").
 std::string rounded_frequency_text(double freq_Hz);

@@ -23,7 +23,7 @@ TEST(HitPoles, DoNotDependOnTheResiduesOfOtherModesInTheOtherHits) {
   });
   const std::vector<Mode> modes = hits.modes({kWeak, kStrong});
   const WindowedHitPoles poles = windowed_hit_poles(hits.set, hits.frfs, modes);
-  ASSERT_FALSE(poles.of_hits.empty());
+  ASSERT_FALSE(poles.modes_in_hits.empty());
   for (const HitPole& hit : poles.poles[0].hits) {
     ASSERT_TRUE(hit.known);
     EXPECT_NEAR(hit.pole.freq_Hz, kWeak.freq_Hz, 5 * hit.freq_std_Hz);

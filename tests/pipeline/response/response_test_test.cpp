@@ -308,7 +308,7 @@ TEST(ResponseTest, AsksForNoUnitThatNoResultNeeds) {
     signal.unit = "m/s^2";
     signal.unit_assumed = true;
   }
-  record.notes = {{"another note", {"unit"}}, {acquire::kFullScaleNote, {"force_scale", "accel_scale"}}};
+  record.notes = {{"another note", {"unit"}}, acquire::full_scale_note()};
   acquire::note_assumed_units(record);
   std::vector<std::string> said;
   for (const Warning& warning : analyse_responses(record, {}).warnings) {

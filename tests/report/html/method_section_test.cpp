@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "report/text/fit_sentences.hpp"
 #include "report/text/method_text.hpp"
 #include "support/files/synthetic_files.hpp"
 #include "support/modal_frfs.hpp"

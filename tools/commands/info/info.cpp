@@ -97,15 +97,16 @@ Json record_json(const acquire::Record& record, const RecordSamples& samples) {
 
 std::string record_text(const acquire::Record& record, const RecordSamples& samples, std::size_t width, bool pictures) {
   const Extent extent = extent_of(record);
-  std::string rows = counted(record.rows.size(), "row") + " of " + counted(extent.longest, "sample");
+  std::string rows = report::counted(record.rows.size(), "row") + " of " + report::counted(extent.longest, "sample");
   if (extent.shortest != extent.longest)
-    rows = fmt::format("{} of {} to {} samples", counted(record.rows.size(), "row"), extent.shortest, extent.longest);
+    rows = fmt::format("{} of {} to {} samples", report::counted(record.rows.size(), "row"), extent.shortest,
+                       extent.longest);
   std::string text =
       fmt::format("{}: {}, {}, {:.10g} Hz, {:.4g} s", one_line(input_name(record.files.front().path), 400),
                   record.format, rows, record.fs_Hz, static_cast<double>(extent.samples) / record.fs_Hz);
-  if (samples.hits) text += fmt::format(", {}", counted(*samples.hits, "hit"));
-  if (extent.points > 1) text += fmt::format(", {}", counted(extent.points, "point"));
-  if (extent.runs > 1) text += fmt::format(", {}", counted(extent.runs, "run"));
+  if (samples.hits) text += fmt::format(", {}", report::counted(*samples.hits, "hit"));
+  if (extent.points > 1) text += fmt::format(", {}", report::counted(extent.points, "point"));
+  if (extent.runs > 1) text += fmt::format(", {}", report::counted(extent.runs, "run"));
   text += '\n';
   using Align = report::TextTable::Align;
   report::TextTable table({{"  role"},

@@ -9,6 +9,7 @@
 #include "commands/info/info_frfs.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
+#include "report/text/number_format.hpp"
 #include "report/text/text_table.hpp"
 
 namespace percuss::tools {
@@ -17,10 +18,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 }  // namespace
-
-std::string counted(std::size_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 Json columns_json(const std::string& path, const acquire::AmbiguousColumns& seen) {
   Json columns = Json::array();
@@ -39,7 +36,7 @@ Json columns_json(const std::string& path, const acquire::AmbiguousColumns& seen
 
 std::string columns_text(const std::string& path, const acquire::AmbiguousColumns& seen, std::size_t width) {
   std::string text = one_line(input_name(path), 400) + ": " + seen.format + ", " +
-                     counted(seen.columns.size(), seen.format == "CSV" ? "column" : "signal");
+                     report::counted(seen.columns.size(), seen.format == "CSV" ? "column" : "signal");
   if (seen.fs_Hz) text += fmt::format(", {:.10g} Hz", *seen.fs_Hz);
   report::TextTable table({{"  number", report::TextTable::Align::right}, {"name"}, {"unit"}, {""}});
   for (const auto& column : seen.columns) {

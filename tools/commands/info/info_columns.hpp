@@ -10,7 +10,4 @@ namespace percuss::tools {
 nlohmann::ordered_json columns_json(const std::string& path, const acquire::AmbiguousColumns& seen);
 std::string columns_text(const std::string& path, const acquire::AmbiguousColumns& seen, std::size_t width);
 
-/// "3 rows", "1 row".
-std::string counted(std::size_t count, const char* what);
-
 }  // namespace percuss::tools

@@ -16,11 +16,11 @@
 #include "acquire/channels/unit_notes.hpp"
 #include "acquire/formats/hdf5/hdf5_layout.hpp"
 #include "acquire/formats/hdf5/hdf5_points.hpp"
+#include "acquire/formats/hdf5/hdf5_rate.hpp"
+#include "acquire/formats/hdf5/hdf5_set_names.hpp"
 #include "acquire/record/point_number.hpp"
 #include "acquire/record/sample_limits.hpp"
-#include "acquire/record/sampling_rate.hpp"
 #include "core/error.hpp"
-#include "core/io/parse_number.hpp"
 #include "core/units.hpp"
 
 namespace percuss::acquire {
@@ -30,19 +30,13 @@ using hdf5::InputDataSet;
 using hdf5::InputHdf5;
 
 constexpr std::size_t kMaxChannels = 100'000;
-constexpr std::size_t kNamesShown = 12, kNameBytesShown = 40;
 constexpr std::array kKnownNames{"force",       "accel",       "point",    "run",   "geometry",
                                  "trace_lines", "trace_faces", "rejected", "faults"};
-
-// The data sets of a record, as paths without the first slash.
-struct SetNames {
-  std::string force = "force", accel = "accel";
-};
 
 // The data shared by the read functions of a record.
 struct OpenRecord {
   InputHdf5 file;
-  SetNames names;
+  hdf5::SetNames names;
   std::optional<InputDataSet> force;  // the set called force; its samples may be an acceleration
   InputDataSet accel;
   hdf5::Layout layout;
@@ -52,87 +46,6 @@ struct OpenRecord {
 
   const InputDataSet& set_of(const NamedSignal& signal) const { return signal.is_force ? *force : accel; }
 };
-
-std::string list(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + one_line(name, kNameBytesShown);
-  return text.empty() ? "nothing" : text;
-}
-
-InputDataSet open_required(const InputHdf5& file, const std::string& name) {
-  if (file.has(name)) return {file, name};
-  throw InputError("no data set /" + one_line(name, kNameBytesShown) + " among: " + list(file.data_paths(kNamesShown)),
-                   file.path(),
-                   "store force [hits, samples] and accel [hits, channels, samples], or name the data sets",
-                   {"force_channel", "accel_channel"});
-}
-
-std::string without_slash(const std::string& name) { return name.starts_with('/') ? name.substr(1) : name; }
-
-// "accel", "accel 2", "2": channels of the accelerations, whose names are numbers.
-bool is_channel_name(std::string name) {
-  if (name.starts_with("accel")) name.erase(0, 5);
-  if (name.starts_with(' ')) name.erase(0, 1);
-  return std::all_of(name.begin(), name.end(), is_digit);
-}
-
-// Takes the names of data sets out of the options, which then name only signals of these sets.
-SetNames take_set_names(const InputHdf5& file, ReadOptions& options) {
-  SetNames names;
-  const std::string force = without_slash(options.force_channel);
-  const bool channel = force.starts_with("accel") && is_channel_name(force) && !file.has(force);
-  if (!channel && !force.empty()) {
-    names.force = force;
-    options.force_channel = "force";
-  }
-  const auto& accel = options.accel_channels;
-  const auto is_signal = [&](const std::string& name) {
-    return is_channel_name(without_slash(name)) || (without_slash(name) == "force" && names.force == "force");
-  };
-  if (std::all_of(accel.begin(), accel.end(), is_signal)) return names;
-  if (accel.size() > 1) {
-    throw InputError("several data sets named for the accelerations", file.path(),
-                     "name one that holds [hits, channels, samples]", {"accel_channel"});
-  }
-  names.accel = without_slash(accel.front());
-  options.accel_channels.clear();
-  return names;
-}
-
-// The rate in the file's attribute fs, if it is usable.
-std::optional<double> own_rate_Hz(const InputHdf5& file) {
-  try {
-    if (const auto own = hdf5::number_attribute(file.id(), "fs", file.path(), 1)) return own->front();
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-  return std::nullopt;
-}
-
-double read_rate_Hz(const OpenRecord& open, const ReadOptions& options, std::vector<Message>& notes) {
-  const InputHdf5& file = open.file;
-  if (options.fs_Hz) {
-    if (const auto own_Hz = own_rate_Hz(file)) note_other_rate("the file", *own_Hz, *options.fs_Hz, notes);
-    return checked_rate_Hz(*options.fs_Hz, "the rate stated");
-  }
-  std::vector<std::pair<hdf5::Id, std::string>> places{{file.id(), file.path() + ": attribute fs"},
-                                                       {open.accel.id(), open.accel.where() + " attribute fs"}};
-  if (open.force) places.insert(places.begin() + 1, {open.force->id(), open.force->where() + " attribute fs"});
-  std::optional<double> found_Hz;
-  for (const auto& [object, where] : places) {
-    const auto values = hdf5::number_attribute(object, "fs", where, 1);
-    if (!values) continue;
-    const double fs_Hz = checked_rate_Hz(values->front(), where);
-    if (found_Hz && *found_Hz != fs_Hz) {
-      throw InputError(fmt::format("two sampling rates: {} and {} Hz", *found_Hz, fs_Hz), where, "state the right one",
-                       {"fs"});
-    }
-    found_Hz = fs_Hz;
-  }
-  if (found_Hz) return *found_Hz;
-  throw InputError("no sampling rate: attribute fs is missing", file.path(), "store it, or state the rate, in Hz",
-                   {"fs"});
-}
 
 // An attribute of /accel with one number per channel; NaN: not known.
 std::vector<std::optional<double>> per_channel(const OpenRecord& open, const std::string& name) {
@@ -225,28 +138,19 @@ void describe_rows(const OpenRecord& open, Record& record) {
       continuous ? continuous->front() != 0 : !(open.force ? open.layout.force_has_rows : open.layout.accel_has_rows);
 }
 
-// The faults state missing samples by their time at the rate of the file. At another stated rate, their times change so
-// that they remain the same samples.
-void keep_missing_samples(const InputHdf5& file, Record& record) {
-  const auto own_Hz = own_rate_Hz(file);
-  for (RecordFault& fault : record.faults) {
-    if (own_Hz && fault.kind == FaultKind::missing_samples) fault.time_s *= *own_Hz / record.fs_Hz;
-  }
-}
-
-void note_unused(const InputHdf5& file, const SetNames& used, bool with_force, Record& record) {
+void note_unused(const InputHdf5& file, const hdf5::SetNames& used, bool with_force, Record& record) {
   // A group counts as used if it holds a used set.
   const auto holds = [](const std::string& path, const std::string& name) {
     return path == name || path.starts_with(name + "/");
   };
   std::vector<std::string> unused;
-  for (const std::string& name : file.names(kNamesShown)) {
+  for (const std::string& name : file.names(hdf5::kNamesShown)) {
     const bool signal = name == "force" || name == "accel";
     const bool known = !signal && std::find(kKnownNames.begin(), kKnownNames.end(), name) != kKnownNames.end();
     const bool read = (with_force && holds(used.force, name)) || holds(used.accel, name);
     if (!known && !read) unused.push_back("/" + name);
   }
-  if (!unused.empty()) record.notes.emplace_back("not used: " + list(unused));
+  if (!unused.empty()) record.notes.emplace_back("not used: " + hdf5::list_of_names(unused));
 }
 
 // Scales in place.
@@ -298,22 +202,14 @@ std::vector<ContiguousSignal> contiguous_signals(const OpenRecord& open) {
   return out;
 }
 
-// Whether the options or the set-up name a channel of the accelerations as the force.
-bool gives_force_to_channel(const ReadOptions& options) {
-  const bool by_option = !options.force_channel.empty() && options.force_channel != "force";
-  return by_option || std::any_of(options.setup.begin(), options.setup.end(), [](const ChannelSetup& entry) {
-           return entry.role == "force" && is_channel_name(without_slash(entry.name));
-         });
-}
-
 std::unique_ptr<OpenRecord> open_sets(const std::string& path, ReadOptions& options) {
   InputHdf5 file(path);
-  const SetNames names = take_set_names(file, options);
+  const hdf5::SetNames names = hdf5::take_set_names(file, options);
   std::optional<InputDataSet> force;
-  const bool named = names.force != SetNames{}.force;
-  const bool optional = options.force_optional || gives_force_to_channel(options);
-  if (!optional || named || file.has(names.force)) force = open_required(file, names.force);
-  InputDataSet accel = open_required(file, names.accel);
+  const bool named = names.force != hdf5::SetNames{}.force;
+  const bool optional = options.force_optional || hdf5::gives_force_to_channel(options);
+  if (!optional || named || file.has(names.force)) force = hdf5::open_required(file, names.force);
+  InputDataSet accel = hdf5::open_required(file, names.accel);
   const hdf5::Layout layout = force ? hdf5::layout_of(*force, accel, file) : hdf5::layout_of(accel);
   NamedRoles roles = named_roles(options, layout.channels, force.has_value(), path);
   return std::make_unique<OpenRecord>(OpenRecord{.file = std::move(file),
@@ -335,10 +231,11 @@ Record open_hdf5(const std::string& path, const ReadOptions& stated) {
   record.files.push_back(
       {.path = path, .bytes = opened->file.bytes(), .date = hdf5::date_attribute(opened->file.id())});
   record.format = "HDF5";
-  record.fs_Hz = read_rate_Hz(*opened, options, record.notes);
+  record.fs_Hz =
+      hdf5::read_rate_Hz(opened->file, opened->force ? &*opened->force : nullptr, opened->accel, options, record.notes);
   describe_signals(*opened, options, record);
   describe_rows(*opened, record);
-  if (options.fs_Hz) keep_missing_samples(opened->file, record);
+  if (options.fs_Hz) hdf5::keep_missing_samples(opened->file, record);
   record.geometry = hdf5::read_geometry(opened->file);
   record.trace_lines = hdf5::read_trace_lines(opened->file, record.geometry.size());
   record.trace_faces = hdf5::read_trace_faces(opened->file, record.geometry.size());

@@ -14,8 +14,8 @@
 #include "acquire/formats/hdf5/hdf5_self_contained.hpp"
 #include "acquire/formats/hdf5/read_hdf5.hpp"
 #include "acquire/formats/mat/mat_completeness.hpp"
-#include "acquire/formats/mat/mat_flattener.hpp"
 #include "acquire/formats/mat/mat_stored_numbers.hpp"
+#include "acquire/formats/mat/mat_variable_reader.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
 #include "core/io/csv_header.hpp"
@@ -66,20 +66,20 @@ MatFile read_mat_file(const std::string& path) {
     require_stored_numbers(path);
   }
   if (Mat_GetVersion(file.get()) == MAT_FT_MAT4) stored = require_complete_mat(path, MatLevel::v4);
-  MatFlattener flatten(out, claim_limit_bytes(out.bytes));
+  MatVariableReader reader(out, claim_limit_bytes(out.bytes));
   std::size_t read = 0;
   while (true) {
     const auto variable =
         with_memory([&] { return std::unique_ptr<matvar_t, FreeMat>(Mat_VarReadNextInfo(file.get())); });
     if (!variable) break;
     const std::string name = variable->name == nullptr ? "" : variable->name;
-    flatten.check_claim(variable.get());
+    reader.check_claim(variable.get());
     const auto read_data = [&] { return Mat_VarReadDataAll(file.get(), variable.get()); };
-    if (MatFlattener::reads(variable.get()) && with_memory(read_data) != 0) {
-      throw InputError(one_line(name, MatFlattener::kNameShown) + " cannot be read", path,
+    if (MatVariableReader::reads(variable.get()) && with_memory(read_data) != 0) {
+      throw InputError(one_line(name, MatVariableReader::kNameShown) + " cannot be read", path,
                        "is it damaged? Save it again");
     }
-    flatten.add(name, variable.get());
+    reader.add(name, variable.get());
     ++read;
   }
   // The library ends without an error at a variable that it cannot read.

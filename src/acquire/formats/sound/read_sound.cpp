@@ -45,7 +45,7 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
     if (!options.force_channel.empty()) table.signals.back().measures = Quantity::acceleration;
   }
   if (!has_scale_options(options)) {
-    table.notes.emplace_back(kFullScaleNote, std::vector<OptionId>{"force_scale", "accel_scale"});
+    table.notes.push_back(full_scale_note());
   } else if (has_sensitivities(options)) {
     table.notes.emplace_back(
         "stored numbers are fractions of full scale, and full scale is taken as 1 V: if it is V volts, forces "

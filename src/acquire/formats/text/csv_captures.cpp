@@ -49,10 +49,9 @@ std::optional<std::vector<std::size_t>> capture_starts(const CsvTable& table, co
 
 // Whether a column that may hold something else than times rises evenly in every capture.
 bool captures_rise_evenly(const CsvTimes& times, const std::vector<CsvRow>& captures) {
-  constexpr std::size_t kMinEven = 8;  // as in rises_evenly()
   return std::all_of(captures.begin(), captures.end(), [&](const CsvRow& row) {
     const auto t = std::span(times.time_s).subspan(row.first_line, row.info.samples);
-    return t.size() < kMinEven ? std::is_sorted(t.begin(), t.end()) : rises_evenly(t);
+    return t.size() < kMinRisingSamples ? std::is_sorted(t.begin(), t.end()) : rises_evenly(t);
   });
 }
 

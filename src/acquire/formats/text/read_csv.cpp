@@ -19,7 +19,7 @@
 #include "acquire/formats/text/csv_rows.hpp"
 #include "acquire/formats/text/csv_table.hpp"
 #include "acquire/formats/text/csv_times.hpp"
-#include "acquire/formats/text/read_frf_text.hpp"
+#include "acquire/formats/text/frf_text_columns.hpp"
 #include "acquire/record/sample_gap.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"

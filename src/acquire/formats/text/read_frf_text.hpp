@@ -2,13 +2,9 @@
 #include <optional>
 
 #include "acquire/channels/stored_frfs.hpp"
-#include "core/io/csv_header.hpp"
 #include "core/io/input_file.hpp"
 
 namespace percuss::acquire {
-
-/// Whether columns after the first are named as real and imaginary part, or as magnitude and phase, in this order.
-bool names_frfs(const CsvHeader& header);
 
 /// The FRFs of a text of columns (docs/reference/formats.md): frequency, then real and imaginary part, or magnitude and
 /// phase, of each FRF. Nothing when the column names are different: then the text is a time record. With `forced`, the

@@ -12,6 +12,7 @@
 #include "acquire/channels/axis_unit.hpp"
 #include "acquire/formats/uff/read_uff.hpp"
 #include "acquire/formats/uff/uff_directions.hpp"
+#include "acquire/formats/uff/uff_frf_grid.hpp"
 #include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/io/parse_number.hpp"
@@ -19,62 +20,6 @@
 
 namespace percuss::acquire {
 namespace {
-
-using Functions = std::vector<const UffFunction*>;
-
-// A degree of freedom of a response or of the hammer: name, node, direction.
-using DofKey = std::tuple<std::string, int, int>;
-DofKey key_of(const UffDof& dof) { return {dof.name, dof.node, dof.direction}; }
-
-using StruckSet = std::set<std::pair<int, int>>;  // node and unsigned direction
-std::pair<int, int> struck_key(const UffFunction& f) { return {f.reference.node, std::abs(f.reference.direction)}; }
-
-// Assigns the degrees of freedom of the FRFs to points and channels.
-struct Grid {
-  bool sensor_roves = false;
-  bool by_name = true, by_sign = true;  // whether names and signs tell channels apart
-  // The number of each channel, from 1.
-  std::map<DofKey, std::size_t> channels;
-  DofKey channel_key(const UffFunction& f) const {
-    const UffDof& at = f.response;
-    return {by_name ? at.name : "", sensor_roves ? 0 : at.node, by_sign ? at.direction : std::abs(at.direction)};
-  }
-};
-
-// Whether each FRF has a point and a channel of its own.
-bool is_unique(const Grid& grid, const Functions& frfs) {
-  std::set<std::tuple<std::pair<int, int>, DofKey>> seen;
-  return std::all_of(frfs.begin(), frfs.end(), [&](const UffFunction* f) {
-    const auto point = grid.sensor_roves ? std::pair{f->response.node, 0} : struck_key(*f);
-    return seen.emplace(point, grid.channel_key(*f)).second;
-  });
-}
-
-// A direction and its opposite are one degree of freedom. Names tell fixed sensors apart. The names of roving sensors,
-// and all signs, count only where channels are the same without them.
-void choose_channel_key(Grid& grid, const Functions& frfs) {
-  for (const auto& [by_name, by_sign] : {std::pair{false, false}, std::pair{true, false}, std::pair{true, true}}) {
-    if (!by_name && !grid.sensor_roves) continue;
-    grid.by_name = by_name;
-    grid.by_sign = by_sign;
-    if (is_unique(grid, frfs)) return;
-  }
-}
-
-Grid grid_of(const Functions& frfs, const StruckSet& struck) {
-  Grid grid;
-  std::set<int> sensed;
-  for (const UffFunction* f : frfs) sensed.insert(f->response.node);
-  grid.sensor_roves = struck.size() == 1 && sensed.size() > 1;
-  choose_channel_key(grid, frfs);
-  for (const UffFunction* f : frfs) grid.channels.emplace(grid.channel_key(*f), 0);
-  std::size_t next = 0;
-  for (const UffFunction* f : frfs) {  // numbered in the file's order
-    auto& number = grid.channels.at(grid.channel_key(*f));
-    if (number == 0) number = ++next;
-  }
-  return grid;
-}
 
 // The factor of the response to SI. Sets `kind` and whether the axis states it (`known`).
 double response_factor(const UffAxis& axis, const UffContents& contents, FrfKind& kind, bool& known) {
@@ -141,7 +86,7 @@ bool have_same_lines(const UffFunction& a, const UffFunction& b) {
   return true;
 }
 
-void require_same_lines(const Functions& frfs, const FileBytes& file) {
+void require_same_lines(const UffFrfs& frfs, const FileBytes& file) {
   for (const UffFunction* f : frfs) {
     const bool same = have_same_lines(*f, *frfs.front());
     if (same && f->complex) continue;
@@ -176,11 +121,11 @@ void add_coherence(const UffFunction& coherence, const std::string& where, Store
   }
 }
 
-using FrfDofs = std::tuple<DofKey, DofKey>;  // reference, response
+using FrfDofs = std::tuple<UffDofKey, UffDofKey>;  // reference, response
 std::map<FrfDofs, const UffFunction*> coherences_of(const UffContents& contents) {
   std::map<FrfDofs, const UffFunction*> out;
   for (const UffFunction& f : contents.functions) {
-    if (f.type == Uff58::coherence) out.emplace(FrfDofs{key_of(f.reference), key_of(f.response)}, &f);
+    if (f.type == Uff58::coherence) out.emplace(FrfDofs{uff_dof_key(f.reference), uff_dof_key(f.response)}, &f);
   }
   return out;
 }
@@ -202,20 +147,75 @@ void require_grid(const StoredFrfs& out, const std::string& file) {
   }
 }
 
-}  // namespace
+// What every FRF of the file is read with.
+struct FrfLayout {
+  const FileBytes& file;
+  const UffContents& contents;
+  UffAnnotation stated;  // of the first function
+  UffFrfGrid grid;
+  UffStruckPoints points;
+};
 
-std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents& contents, bool forced) {
-  const auto& all = contents.functions;
-  const bool times = std::any_of(all.begin(), all.end(), is_time_record);
-  Functions frfs;
-  for (const UffFunction& f : all) {
-    if (is_uff_frf(f)) frfs.push_back(&f);
+// Where the hammer or the roving sensor was: the degree of freedom that is the point.
+const UffDof& point_dof(const UffFunction& f, const FrfLayout& layout) {
+  return layout.grid.sensor_roves ? f.response : f.reference;
+}
+
+int point_of(const UffFunction& f, const FrfLayout& layout) {
+  const int offset = layout.stated.node_offset;
+  const std::int64_t number = (layout.grid.sensor_roves ? f.response.node : layout.points.point(f.reference)) - offset;
+  require_point_number(point_dof(f, layout).node - offset, uff_location(layout.file, f.at));
+  require_point_number(number, uff_location(layout.file, f.at));
+  return static_cast<int>(number);
+}
+
+void describe_channel(const UffFunction& f, std::size_t channel, SignalInfo& signal) {
+  const UffAnnotation annotation = uff_annotation(f);
+  signal.name = "accel " + std::to_string(channel + 1);
+  if (annotation.angle_deg) signal.angle_rad = *annotation.angle_deg * kDegree_rad;
+  signal.position_m = annotation.position_m;
+}
+
+// Adds the FRF, its channel and its place. Returns whether the FRF changes its sign.
+bool add_frf(const UffFunction& f, const FrfLayout& layout, StoredFrfs& out) {
+  const UffFrfGrid& grid = layout.grid;
+  const bool by_percuss = layout.stated.by_percuss;
+  const std::size_t channel = grid.channels.at(grid.channel_key(f)) - 1;
+  SignalInfo& signal = out.record.accel[channel];
+  describe_channel(f, channel, signal);
+  const int point = point_of(f, layout);
+  // The directions of percuss stand for the angles of its sensors; its values have no other sign.
+  const double sign = by_percuss ? 1 : uff_sign(f, f.reference);
+  out.frfs.push_back(stored_frf(f, point, channel, sign));
+  if (!by_percuss) {
+    const UffDof& moved = point_dof(f, layout);
+    const std::size_t roving_channel = grid.sensor_roves ? channel : 0;
+    add_uff_motion(layout.contents, moved, point, roving_channel, moved.node - layout.stated.node_offset,
+                   out.record.motions);
+    if (!grid.sensor_roves) signal.axis = uff_axis(layout.contents, f.response);
   }
-  if (frfs.empty() || (times && !forced)) return std::nullopt;
-  require_same_lines(frfs, file);
-  const UffFunction& first = *frfs.front();
-  const std::string name = input_name(file.path);
-  StoredFrfs out;
+  if (same_place(f.response, f.reference)) out.record.driving.push_back({point, channel});
+  return sign < 0;
+}
+
+void add_frfs(const UffFrfs& frfs, const FrfLayout& layout, StoredFrfs& out) {
+  out.record.sensor_roves = layout.grid.sensor_roves;
+  out.record.accel.resize(layout.grid.channels.size());
+  const auto coherences = coherences_of(layout.contents);
+  std::size_t changed = 0;
+  for (const UffFunction* f : frfs) {
+    if (add_frf(*f, layout, out)) ++changed;
+    const auto coherence = coherences.find({uff_dof_key(f->reference), uff_dof_key(f->response)});
+    if (coherence != coherences.end())
+      add_coherence(*coherence->second, uff_location(layout.file, coherence->second->at), out.frfs.back());
+  }
+  if (changed > 0) out.record.notes.push_back(information(uff_sign_note(changed, frfs.size(), "FRFs")));
+  sort_motions(out.record.motions);
+}
+
+// What the file states of all FRFs: format, lines, unit, estimator, window and geometry.
+void add_statements(const UffFunction& first, const FileBytes& file, const UffContents& contents,
+                    const UffAnnotation& stated, StoredFrfs& out) {
   out.record.files.push_back({.path = file.path, .bytes = file.size});
   out.record.format = "FRF UFF";
   out.record.notes = uff_notes(contents);
@@ -223,53 +223,36 @@ std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents&
   bool known = false;
   const FrfUnit unit = unit_of_function(first, contents, known);
   if (known) out.unit = unit;
-  const UffAnnotation stated = uff_annotation(first);
   out.record.estimator = stated.estimator;
   out.record.decay_per_s = std::max(0.0, stated.decay_per_s.value_or(0));
-  out.record.geometry = uff_geometry(contents, stated.node_offset, out.record.notes);
-  if (!out.record.geometry.empty()) {
-    out.record.trace_lines = uff_trace_lines(contents, stated.node_offset);
-    out.record.trace_faces = uff_trace_faces(contents, stated.node_offset);
+  add_uff_geometry(contents, stated.node_offset, out.record);
+}
+
+}  // namespace
+
+std::optional<StoredFrfs> read_frf_uff(const FileBytes& file, const UffContents& contents, bool forced) {
+  const auto& all = contents.functions;
+  const bool times = std::any_of(all.begin(), all.end(), is_time_record);
+  UffFrfs frfs;
+  for (const UffFunction& f : all) {
+    if (is_uff_frf(f)) frfs.push_back(&f);
   }
-  StruckSet struck;
-  for (const UffFunction* f : frfs) struck.insert(struck_key(*f));
-  const Grid grid = grid_of(frfs, struck);
-  const UffStruckPoints points(struck, contents);
-  if (points.several_per_node() && !grid.sensor_roves) out.record.notes.push_back(information(points.note()));
-  out.record.sensor_roves = grid.sensor_roves;
-  out.record.accel.resize(grid.channels.size());
-  const auto coherences = coherences_of(contents);
-  std::size_t changed = 0;
-  for (const UffFunction* f : frfs) {
-    const std::size_t channel = grid.channels.at(grid.channel_key(*f)) - 1;
-    SignalInfo& signal = out.record.accel[channel];
-    const UffAnnotation annotation = uff_annotation(*f);
-    signal.name = "accel " + std::to_string(channel + 1);
-    if (annotation.angle_deg) signal.angle_rad = *annotation.angle_deg * kDegree_rad;
-    signal.position_m = annotation.position_m;
-    const UffDof& moved = grid.sensor_roves ? f->response : f->reference;
-    const std::int64_t number =
-        (grid.sensor_roves ? f->response.node : points.point(f->reference)) - stated.node_offset;
-    require_point_number(moved.node - stated.node_offset, uff_location(file, f->at));
-    require_point_number(number, uff_location(file, f->at));
-    const int point = static_cast<int>(number);
-    // The directions of percuss stand for the angles of its sensors; its values have no other sign.
-    const double sign = stated.by_percuss ? 1 : uff_sign(*f, f->reference);
-    if (sign < 0) ++changed;
-    out.frfs.push_back(stored_frf(*f, point, channel, sign));
-    if (!stated.by_percuss) {
-      const std::size_t roving_channel = grid.sensor_roves ? channel : 0;
-      add_uff_motion(contents, moved, point, roving_channel, moved.node - stated.node_offset, out.record.motions);
-      if (!grid.sensor_roves) signal.axis = uff_axis(contents, f->response);
-    }
-    if (same_place(f->response, f->reference)) out.record.driving.push_back({point, channel});
-    const auto coherence = coherences.find({key_of(f->reference), key_of(f->response)});
-    if (coherence != coherences.end())
-      add_coherence(*coherence->second, uff_location(file, coherence->second->at), out.frfs.back());
-  }
-  if (changed > 0) out.record.notes.push_back(information(uff_sign_note(changed, frfs.size(), "FRFs")));
-  sort_motions(out.record.motions);
-  require_grid(out, name);
+  if (frfs.empty() || (times && !forced)) return std::nullopt;
+  require_same_lines(frfs, file);
+  StoredFrfs out;
+  const UffAnnotation stated = uff_annotation(*frfs.front());
+  add_statements(*frfs.front(), file, contents, stated, out);
+  UffStruckSet struck;
+  for (const UffFunction* f : frfs) struck.insert(uff_struck_key(*f));
+  const FrfLayout layout{.file = file,
+                         .contents = contents,
+                         .stated = stated,
+                         .grid = uff_frf_grid(frfs, struck),
+                         .points = UffStruckPoints(struck, contents)};
+  if (layout.points.several_per_node() && !layout.grid.sensor_roves)
+    out.record.notes.push_back(information(layout.points.note()));
+  add_frfs(frfs, layout, out);
+  require_grid(out, input_name(file.path));
   return out;
 }
 

@@ -16,8 +16,8 @@
 #include "acquire/channels/signal_table.hpp"
 #include "acquire/formats/uff/uff_directions.hpp"
 #include "acquire/formats/uff/uff_roles.hpp"
+#include "acquire/formats/uff/uff_row_points.hpp"
 #include "acquire/formats/uff/uff_rows.hpp"
-#include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/io/time_stamps.hpp"
 #include "core/units.hpp"
@@ -59,101 +59,6 @@ TableSignal signal_of(const UffFunction& function, const std::string& name, cons
   // The directions of percuss stand for the angles of its sensors.
   if (!stated.by_percuss) out.axis = uff_axis(contents, function.response);
   return out;
-}
-
-// The place and direction of the hammer: the reference of a response, completed by the force's own.
-UffDof struck_place(const UffFunction& force, const UffFunction& response) {
-  if (response.reference.node == 0) return force.response;
-  UffDof out = response.reference;
-  if (out.direction == 0 && out.node == force.response.node) out.direction = force.response.direction;
-  return out;
-}
-
-UffDof struck_place(const UffRow& row) { return struck_place(*row.front(), *row.back()); }
-
-// The node and unsigned direction of each row's force.
-std::set<std::pair<int, int>> struck_in(const std::vector<UffRow>& rows) {
-  std::set<std::pair<int, int>> out;
-  for (const UffRow& row : rows) {
-    const UffDof at = struck_place(row);
-    out.emplace(at.node, std::abs(at.direction));
-  }
-  return out;
-}
-
-// The point of a row: the node of a roving sensor. Otherwise the struck point: the reference node, else the node of the
-// force.
-int point_of_row(const UffRow& row, bool sensor_roves, const UffStruckPoints& points, const FileBytes& file) {
-  const int offset = uff_annotation(*row.front()).node_offset;
-  const UffDof struck = struck_place(row);
-  // Node 0 means that no node is stated: the row then belongs to the first point.
-  const int place = sensor_roves ? row.back()->response.node : struck.node == 0 ? offset : struck.node;
-  const std::int64_t point = (sensor_roves ? 0 : points.point(struck) - struck.node) + place - offset;
-  require_point_number(place - offset, uff_location(file, row.front()->at));
-  require_point_number(point, uff_location(file, row.front()->at));
-  return static_cast<int>(point);
-}
-
-// The responses of a row that were measured where and in the direction in which it was struck.
-void add_driving_places(const UffRow& row, int point, std::vector<DrivingPlace>& driving) {
-  for (std::size_t i = 1; i < row.size(); ++i) {
-    const DrivingPlace at{point, i};
-    const bool known = std::find(driving.begin(), driving.end(), at) != driving.end();
-    if (!known && same_place(row[i]->response, struck_place(*row.front(), *row[i]))) driving.push_back(at);
-  }
-}
-
-// Whether one place was struck in one direction, and the sensors of a row, all at one node, moved.
-bool roving_sensors(const std::vector<UffRow>& rows, const std::set<std::pair<int, int>>& struck) {
-  std::set<int> sensed;
-  for (const UffRow& row : rows) {
-    if (row.size() < 2) return false;
-    for (std::size_t i = 1; i < row.size(); ++i) {
-      if (row[i]->response.node != row[1]->response.node) return false;
-    }
-    sensed.insert(row[1]->response.node);
-  }
-  return sensed.size() > 1 && struck.size() == 1;
-}
-
-// Where one place was struck, a row's sensors at several nodes must be at the same nodes in every row: a channel cannot
-// be at several places of one point.
-void require_fixed_sensors(const std::vector<UffRow>& rows, const std::string& file) {
-  const UffRow& first = rows.front();
-  for (std::size_t r = 1; r < rows.size(); ++r) {
-    for (std::size_t i = 1; i < first.size(); ++i) {
-      const int before = first[i]->response.node, now = rows[r][i]->response.node;
-      if (before == now || before == 0 || now == 0) continue;
-      throw InputError(
-          fmt::format("response {} is at node {} in hit 1 and at node {} in hit {}", i, before, now, r + 1), file,
-          "export the FRFs (function type 4): their response nodes are the points");
-    }
-  }
-}
-
-// What the file states of the places and directions of the struck points, or of roving sensors.
-void add_motions(const UffContents& contents, const UffRow& row, int point, int offset, SignalTable& table) {
-  if (!table.sensor_roves) {
-    const UffDof struck = struck_place(row);
-    const int place = struck.node == 0 ? 0 : struck.node - offset;
-    return add_uff_motion(contents, struck, point, 0, place, table.motions);
-  }
-  for (std::size_t i = 1; i < row.size(); ++i)
-    add_uff_motion(contents, row[i]->response, point, i, row[i]->response.node - offset, table.motions);
-}
-
-// The sign of a response for a force and a motion in positive directions.
-double sign_in_row(const UffRow& row, const SignalRoles& roles, std::size_t signal) {
-  const UffFunction& response = *row[signal];
-  return uff_sign(response, roles.has_force ? struck_place(*row[roles.force], response) : UffDof{});
-}
-
-void note_changed_signs(const std::vector<UffRow>& rows, const SignalRoles& roles, std::vector<Message>& notes) {
-  std::size_t changed = 0;
-  for (const UffRow& row : rows) {
-    for (const std::size_t signal : roles.accel) changed += sign_in_row(row, roles, signal) < 0 ? 1U : 0U;
-  }
-  if (changed > 0) notes.push_back(information(uff_sign_note(changed, rows.size() * roles.accel.size(), "responses")));
 }
 
 double rate_of_function_Hz(const UffFunction& function, const std::string& where, std::string& note) {
@@ -234,6 +139,65 @@ std::string spectra_in(const std::vector<UffFunction>& functions) {
   return out;
 }
 
+// The functions that are time records, named by their ID lines.
+std::vector<const UffFunction*> time_records(UffContents& contents) {
+  std::vector<UffFunction*> functions;
+  for (UffFunction& function : contents.functions) {
+    if (is_time_record(function)) functions.push_back(&function);
+  }
+  name_by_id_lines(functions);
+  return {functions.begin(), functions.end()};
+}
+
+// Says what the file holds instead of time records.
+[[noreturn]] void refuse_without_time_records(const UffContents& contents, const std::string& file) {
+  const std::vector<UffFunction>& all = contents.functions;
+  if (std::any_of(all.begin(), all.end(), [](const UffFunction& function) { return is_uff_frf(function); })) {
+    throw InputError("the file holds FRFs, not a time record", file,
+                     "give the time record that the FRFs were estimated from");
+  }
+  if (const auto spectra = spectra_in(all); !spectra.empty()) {
+    throw InputError("neither time records nor FRFs, but " + spectra, file,
+                     "these functions are no FRFs: give the time record, or FRFs (function type 4)");
+  }
+  throw InputError("no time records and no FRFs among " + list_of_sets(contents), file,
+                   contents.shapes > 0
+                       ? "the file holds mode shapes; give the time record that they were identified from"
+                       : "export functions as data set 58");
+}
+
+void add_sampling_rate(const UffFunction& function, const FileBytes& file, SignalTable& table) {
+  std::string note;
+  table.fs_Hz = rate_of_function_Hz(function, uff_location(file, function.at), note);
+  if (!note.empty()) table.notes.emplace_back(note, std::vector<OptionId>{"fs"});
+}
+
+// The table of all rows. It keeps the open file for reading.
+SignalTable table_of(const std::shared_ptr<OpenUff>& open, const std::vector<std::string>& names,
+                     const ReadOptions& options) {
+  const UffRow& first = open->rows.front();
+  const UffAnnotation stated = uff_annotation(*first.front());
+  SignalTable table;
+  table.files.push_back({.path = open->file.path, .bytes = open->file.size});
+  table.format = "UFF";
+  table.notes = uff_notes(open->contents);
+  for (std::size_t i = 0; i < first.size(); ++i)
+    table.signals.push_back(signal_of(*first[i], names[i], open->contents));
+  add_uff_rows(open->rows, open->contents, open->file, table);
+  if (!stated.by_percuss) {
+    table.sign_of_directions = [open](const SignalRoles& roles, std::size_t row, std::size_t signal) {
+      return uff_sign_in_row(open->rows[row], roles, signal);
+    };
+  }
+  add_uff_geometry(open->contents, stated.node_offset, table);
+  if (!options.fs_Hz) add_sampling_rate(*first.front(), open->file, table);
+  table.continuous = stated.by_percuss ? stated.continuous : table.rows.size() == 1;
+  table.read = [open](std::size_t row, std::size_t signal, std::size_t start, std::span<double> out) {
+    open->rows[row][signal]->read(0, start, out);
+  };
+  return table;
+}
+
 }  // namespace
 
 bool is_time_record(const UffFunction& function) {
@@ -251,73 +215,14 @@ Record open_uff(const FileBytes& file, UffContents contents, const ReadOptions& 
   open->file = file;
   open->contents = std::move(contents);
   const std::string name = input_name(file.path);
-  std::vector<UffFunction*> named_by_lines;
-  for (UffFunction& function : open->contents.functions) {
-    if (is_time_record(function)) named_by_lines.push_back(&function);
-  }
-  name_by_id_lines(named_by_lines);
-  const std::vector<const UffFunction*> functions(named_by_lines.begin(), named_by_lines.end());
-  if (functions.empty()) {
-    const auto& all = open->contents.functions;
-    if (std::any_of(all.begin(), all.end(), [](const UffFunction& function) { return is_uff_frf(function); })) {
-      throw InputError("the file holds FRFs, not a time record", name,
-                       "give the time record that the FRFs were estimated from");
-    }
-    if (const auto spectra = spectra_in(all); !spectra.empty()) {
-      throw InputError("neither time records nor FRFs, but " + spectra, name,
-                       "these functions are no FRFs: give the time record, or FRFs (function type 4)");
-    }
-    const bool shapes = open->contents.shapes > 0;
-    throw InputError("no time records and no FRFs among " + list_of_sets(open->contents), name,
-                     shapes ? "the file holds mode shapes; give the time record that they were identified from"
-                            : "export functions as data set 58");
-  }
+  const std::vector<const UffFunction*> functions = time_records(open->contents);
+  if (functions.empty()) refuse_without_time_records(open->contents, name);
   const ReadOptions named = with_names(options, functions);
   open->rows = uff_rows(functions, force_functions(functions, named), name);
-  SignalTable table;
-  table.files.push_back({.path = file.path, .bytes = file.size});
-  table.format = "UFF";
-  table.notes = uff_notes(open->contents);
-  const UffRow& first = open->rows.front();
-  const auto names = names_of_row(first);
-  for (std::size_t i = 0; i < first.size(); ++i)
-    table.signals.push_back(signal_of(*first[i], names[i], open->contents));
-  const auto struck = struck_in(open->rows);
-  const UffStruckPoints points(struck, open->contents);
-  const UffAnnotation stated = uff_annotation(*first.front());
-  table.sensor_roves = roving_sensors(open->rows, struck);
-  if (table.sensor_roves) {
-    for (TableSignal& signal : table.signals) signal.axis.reset();
-  } else if (struck.size() == 1) {
-    require_fixed_sensors(open->rows, name);
-  }
-  if (points.several_per_node()) table.notes.push_back(information(points.note()));
-  for (const UffRow& row : open->rows) {
-    const int point = point_of_row(row, table.sensor_roves, points, file);
-    table.rows.push_back(
-        {.samples = row.front()->count, .point = point, .run = stated.by_percuss ? row.front()->load_case : 0});
-    add_driving_places(row, point, table.driving);
-    if (!stated.by_percuss) add_motions(open->contents, row, point, stated.node_offset, table);
-  }
-  if (!stated.by_percuss) {
-    table.sign_of_directions = [open](const SignalRoles& roles, std::size_t row, std::size_t signal) {
-      return sign_in_row(open->rows[row], roles, signal);
-    };
-  }
-  table.geometry = uff_geometry(open->contents, stated.node_offset, table.notes);
-  if (!table.geometry.empty()) {
-    table.trace_lines = uff_trace_lines(open->contents, stated.node_offset);
-    table.trace_faces = uff_trace_faces(open->contents, stated.node_offset);
-  }
-  std::string note;
-  if (!options.fs_Hz) table.fs_Hz = rate_of_function_Hz(*first.front(), uff_location(file, first.front()->at), note);
-  if (!note.empty()) table.notes.emplace_back(note, std::vector<OptionId>{"fs"});
-  table.continuous = stated.by_percuss ? stated.continuous : table.rows.size() == 1;
-  table.read = [open](std::size_t row, std::size_t signal, std::size_t start, std::span<double> out) {
-    open->rows[row][signal]->read(0, start, out);
-  };
+  const auto names = names_of_row(open->rows.front());
+  SignalTable table = table_of(open, names, options);
   try {
-    if (table.sign_of_directions) note_changed_signs(open->rows, find_roles(table, named), table.notes);
+    if (table.sign_of_directions) note_uff_signs(open->rows, find_roles(table, named), table.notes);
     return record_of_table(std::move(table), named);
   } catch (AmbiguousColumns& error) {
     if (open->rows.size() == 1 && !error.known.has_force && !error.roles_known)

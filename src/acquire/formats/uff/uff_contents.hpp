@@ -43,6 +43,14 @@ std::vector<std::vector<double>> uff_geometry(const UffContents& contents, int o
 std::vector<TraceLine> uff_trace_lines(const UffContents& contents, int offset);
 /// The faces whose corners are all in the file, by point.
 std::vector<TraceFace> uff_trace_faces(const UffContents& contents, int offset);
+/// Adds geometry, trace lines, trace faces and notes to `out`, a SignalTable or an FrfRecord.
+template <class Destination>
+void add_uff_geometry(const UffContents& contents, int offset, Destination& out) {
+  out.geometry = uff_geometry(contents, offset, out.notes);
+  if (out.geometry.empty()) return;
+  out.trace_lines = uff_trace_lines(contents, offset);
+  out.trace_faces = uff_trace_faces(contents, offset);
+}
 
 /// The statements of percuss in a function's fifth line ("percuss; node = point + 1; dx = 3.90625e-05"), fourth line
 /// ("averages = 5; angle_deg = 90; ") and second line ("estimator = H1").

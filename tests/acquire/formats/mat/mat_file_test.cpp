@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "acquire/formats/mat/mat_flattener.hpp"
+#include "acquire/formats/mat/mat_variable_reader.hpp"
 #include "support/files/mat_builder.hpp"
 #include "support/input_error.hpp"
 #include "support/scratch_folder.hpp"
@@ -59,7 +59,7 @@ class MatFiles : public testing::Test {
 };
 
 // A header claims 2^60 elements with 16 fields: the count of their values does not fit into 64 bits.
-TEST(MatFlattener, RefusesAStructureWhoseCountOfValuesOverflows) {
+TEST(MatVariableReader, RefusesAStructureWhoseCountOfValuesOverflows) {
   std::array<std::string, 16> names;
   std::array<const char*, 16> texts{};
   for (std::size_t f = 0; f < names.size(); ++f) texts[f] = (names[f] = "f" + std::to_string(f)).c_str();
@@ -70,8 +70,8 @@ TEST(MatFlattener, RefusesAStructureWhoseCountOfValuesOverflows) {
   const std::array<std::size_t, 2> stored{structure->dims[0], structure->dims[1]};
   structure->dims[0] = structure->dims[1] = std::size_t{1} << 30U;
   MatFile out;
-  acquire::MatFlattener flatten(out, 1'000'000);
-  EXPECT_THAT(input_error_of([&] { flatten.check_claim(structure.get()); }), HasSubstr("claims more numbers"));
+  acquire::MatVariableReader reader(out, 1'000'000);
+  EXPECT_THAT(input_error_of([&] { reader.check_claim(structure.get()); }), HasSubstr("claims more numbers"));
   std::copy(stored.begin(), stored.end(), structure->dims);  // Mat_VarFree frees as many
 }
 

@@ -10,21 +10,17 @@ struct matvar_t;  // of matio
 
 namespace percuss::acquire {
 
-/// A field of a structure array, with its value in each element.
-struct MatField {
-  std::string name;
-  std::vector<const matvar_t*> values;
-};
+struct MatField;
 
 /// Turns the variables of a MAT file, with the fields and cells in them, into variables of `out`.
 /// errors  InputError: more than 10000 variables, 4096 elements or 8 levels; more numbers than the file can hold; a
 /// variable that cannot be read.
-class MatFlattener {
+class MatVariableReader {
  public:
   static constexpr std::size_t kNameShown = 63;  // characters of a name in a message
 
   /// `limit_bytes`: of all numbers that the headers may claim.
-  MatFlattener(MatFile& out, std::uint64_t limit_bytes) : out_(out), left_bytes_(limit_bytes) {}
+  MatVariableReader(MatFile& out, std::uint64_t limit_bytes) : out_(out), left_bytes_(limit_bytes) {}
 
   /// Checks the sizes that the headers claim, before any number is read.
   void check_claim(const matvar_t* variable, std::size_t depth = 0);

@@ -1,4 +1,4 @@
-#include "acquire/formats/mat/mat_flattener.hpp"
+#include "acquire/formats/mat/mat_variable_reader.hpp"
 
 #include <fmt/format.h>
 #include <matio.h>
@@ -8,107 +8,19 @@
 #include <string_view>
 
 #include "acquire/channels/column_words.hpp"
+#include "acquire/formats/mat/matio_values.hpp"
 #include "core/error.hpp"
 #include "core/io/csv_header.hpp"
 
 namespace percuss::acquire {
 namespace {
 
+using matio::element_count;
+using matio::field_count;
+using matio::holds_numbers;
+
 constexpr std::size_t kMaxVariables = 10'000, kMaxDepth = 8, kMaxElements = 4096;
 constexpr std::size_t kMaxMatDimensions = 8;
-
-template <class Stored>
-void append_as_double(std::vector<double>& out, const void* data, std::size_t count) {
-  const auto* values = static_cast<const Stored*>(data);
-  out.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) out.push_back(static_cast<double>(values[i]));
-}
-
-bool to_doubles(matio_types type, const void* data, std::size_t count, std::vector<double>& out) {
-  switch (type) {
-    case MAT_T_DOUBLE:
-      return append_as_double<double>(out, data, count), true;
-    case MAT_T_SINGLE:
-      return append_as_double<float>(out, data, count), true;
-    case MAT_T_INT8:
-      return append_as_double<std::int8_t>(out, data, count), true;
-    case MAT_T_UINT8:
-      return append_as_double<std::uint8_t>(out, data, count), true;
-    case MAT_T_INT16:
-      return append_as_double<std::int16_t>(out, data, count), true;
-    case MAT_T_UINT16:
-      return append_as_double<std::uint16_t>(out, data, count), true;
-    case MAT_T_INT32:
-      return append_as_double<std::int32_t>(out, data, count), true;
-    case MAT_T_UINT32:
-      return append_as_double<std::uint32_t>(out, data, count), true;
-    case MAT_T_INT64:
-      return append_as_double<std::int64_t>(out, data, count), true;
-    case MAT_T_UINT64:
-      return append_as_double<std::uint64_t>(out, data, count), true;
-    default:
-      return false;
-  }
-}
-
-bool is_number_class(matio_classes kind) { return kind >= MAT_C_DOUBLE && kind <= MAT_C_UINT64; }
-
-matvar_t* to_mutable(const matvar_t* variable) { return const_cast<matvar_t*>(variable); }  // NOLINT: C
-
-std::uint64_t elements(const matvar_t* variable) {
-  std::uint64_t count = 1;
-  for (int i = 0; i < variable->rank; ++i) {
-    const std::uint64_t size = variable->dims[i];
-    if (size != 0 && count > UINT64_MAX / 16 / size) return UINT64_MAX / 16;
-    count *= size;
-  }
-  return count;
-}
-
-std::string text_of(const matvar_t* variable) {
-  const std::uint64_t count = elements(variable);
-  const bool wide = variable->data_type == MAT_T_UINT16 || variable->data_type == MAT_T_UTF16;
-  const std::size_t each = wide ? 2 : 1;
-  std::string out;
-  if (variable->data == nullptr || variable->nbytes < count * each) return out;
-  const auto* const bytes = static_cast<const char*>(variable->data);
-  for (std::uint64_t i = 0; i < count; ++i) out += bytes[i * each];  // the low byte: units are ASCII
-  return out;
-}
-
-std::vector<MatField> fields_of(const matvar_t* structure) {
-  const std::size_t count = Mat_VarGetNumberOfFields(to_mutable(structure));
-  char* const* const names = Mat_VarGetStructFieldnames(structure);
-  const auto* const values = static_cast<matvar_t* const*>(structure->data);
-  std::vector<MatField> fields;
-  if (names == nullptr || values == nullptr) return fields;
-  for (std::size_t f = 0; f < count; ++f) {
-    if (names[f] == nullptr) continue;
-    MatField& field = fields.emplace_back(MatField{.name = names[f], .values = {}});
-    for (std::uint64_t e = 0; e < elements(structure); ++e) field.values.push_back(values[e * count + f]);
-  }
-  return fields;
-}
-
-// The fields of cells that each hold one structure of the same fields, as of a structure array; otherwise none.
-std::vector<MatField> fields_of_cells(const std::vector<const matvar_t*>& cells) {
-  std::vector<MatField> all;
-  for (const matvar_t* cell : cells) {
-    const bool one =
-        cell != nullptr && cell->dims != nullptr && cell->class_type == MAT_C_STRUCT && elements(cell) == 1;
-    const std::vector<MatField> fields = one ? fields_of(cell) : std::vector<MatField>{};
-    const auto same = [](const MatField& a, const MatField& b) { return a.name == b.name; };
-    if (all.empty()) {
-      all = fields;
-    } else if (std::equal(all.begin(), all.end(), fields.begin(), fields.end(), same)) {
-      for (std::size_t f = 0; f < all.size(); ++f) all[f].values.push_back(fields[f].values.front());
-    } else {
-      return {};
-    }
-    if (all.empty()) return {};
-  }
-  return all;
-}
 
 // The texts of a field that names channels: they differ, and one of them names a force. Nothing for other fields; the
 // elements are hits then.
@@ -122,7 +34,7 @@ std::vector<std::string> channel_names(const MatField& field) {
   bool has_force = false;
   for (const matvar_t* one : field.values) {
     const bool is_text = one != nullptr && one->dims != nullptr && one->class_type == MAT_C_CHAR;
-    const std::string name = is_text ? text_of(one) : "";
+    const std::string name = is_text ? matio::text_of(one) : "";
     if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return {};
     has_force = has_force || has_one_of(lower_case(name), kForceWords);
     names.push_back(name);
@@ -133,7 +45,7 @@ std::vector<std::string> channel_names(const MatField& field) {
 // Whether every element has samples in this field: an array of numbers, but no times.
 bool holds_samples(const MatField& field) {
   const auto is_array = [](const matvar_t* one) {
-    return one != nullptr && one->dims != nullptr && is_number_class(one->class_type) && elements(one) > 1;
+    return one != nullptr && one->dims != nullptr && holds_numbers(one) && element_count(one) > 1;
   };
   return !is_one_of(lower_case(field.name), kTimeWords) &&
          std::all_of(field.values.begin(), field.values.end(), is_array);
@@ -167,35 +79,34 @@ MatVariable described(const std::string& name, const matvar_t* variable) {
 
 }  // namespace
 
-void MatFlattener::check_claim(const matvar_t* variable, std::size_t depth) {
+void MatVariableReader::check_claim(const matvar_t* variable, std::size_t depth) {
   if (variable == nullptr || variable->dims == nullptr) return;
   if (depth > kMaxDepth) refuse("structures within structures more than 8 deep");
-  const std::uint64_t count = elements(variable);
+  const std::uint64_t count = element_count(variable);
   if (variable->class_type == MAT_C_STRUCT || variable->class_type == MAT_C_CELL) {
-    const std::uint64_t fields =
-        variable->class_type == MAT_C_CELL ? 1 : Mat_VarGetNumberOfFields(to_mutable(variable));
+    const std::uint64_t fields = variable->class_type == MAT_C_CELL ? 1 : field_count(variable);
     if (fields == 0) return;
     const auto* const children = static_cast<matvar_t* const*>(variable->data);
     spend(count, fields * sizeof(matvar_t*));  // before the product count * fields, which may overflow
     for (std::uint64_t i = 0; children != nullptr && i < count * fields; ++i) check_claim(children[i], depth + 1);
     return;
   }
-  const bool numbers = is_number_class(variable->class_type);  // become doubles
+  const bool numbers = holds_numbers(variable);  // become doubles
   const std::uint64_t each_bytes = numbers ? sizeof(double) : static_cast<std::uint64_t>(variable->data_size);
   spend(count, std::max<std::uint64_t>(each_bytes, 1) * (variable->isComplex != 0 ? 2 : 1));
 }
 
-void MatFlattener::add(const std::string& name, const matvar_t* variable) {
+void MatVariableReader::add(const std::string& name, const matvar_t* variable) {
   if (variable == nullptr || variable->dims == nullptr) return;
   if (out_.variables.size() >= kMaxVariables) refuse("more than 10000 variables");
-  if (is_number_class(variable->class_type)) return add_numbers(name, variable);
+  if (holds_numbers(variable)) return add_numbers(name, variable);
   if (variable->class_type == MAT_C_CHAR) return add_text(name, variable);
   if (variable->class_type == MAT_C_STRUCT) return add_structure(name, variable);
   if (variable->class_type == MAT_C_CELL) {
     const auto* const data = static_cast<matvar_t* const*>(variable->data);
     if (data == nullptr) return;
-    const std::vector<const matvar_t*> cells(data, data + elements(variable));
-    const std::vector<MatField> fields = cells.size() > 1 ? fields_of_cells(cells) : std::vector<MatField>{};
+    const std::vector<const matvar_t*> cells(data, data + element_count(variable));
+    const std::vector<MatField> fields = cells.size() > 1 ? matio::fields_of_cells(cells) : std::vector<MatField>{};
     return fields.empty() ? add_elements(name, cells, '{', '}') : add_fields(name, fields);
   }
   if (variable->class_type == MAT_C_EMPTY) return;
@@ -206,29 +117,29 @@ void MatFlattener::add(const std::string& name, const matvar_t* variable) {
                         : "it is a string or an object (save it as char, or as a structure)");
 }
 
-bool MatFlattener::reads(const matvar_t* variable) {
+bool MatVariableReader::reads(const matvar_t* variable) {
   const auto kind = variable->class_type;
-  return is_number_class(kind) || kind == MAT_C_CHAR || kind == MAT_C_STRUCT || kind == MAT_C_CELL;
+  return holds_numbers(variable) || kind == MAT_C_CHAR || kind == MAT_C_STRUCT || kind == MAT_C_CELL;
 }
 
-void MatFlattener::spend(std::uint64_t count, std::uint64_t each_bytes) {
+void MatVariableReader::spend(std::uint64_t count, std::uint64_t each_bytes) {
   if (count > left_bytes_ / each_bytes) refuse("the file claims more numbers than it can hold");
   left_bytes_ -= count * each_bytes;
 }
 
-void MatFlattener::skip(const std::string& name, const std::string& why) {
+void MatVariableReader::skip(const std::string& name, const std::string& why) {
   out_.notes.emplace_back(fmt::format("{} is not read: {}", one_line(name, kNameShown), why));
 }
 
-void MatFlattener::refuse(const std::string& problem) const {
+void MatVariableReader::refuse(const std::string& problem) const {
   throw InputError(problem, out_.path, "is it damaged? Save it again");
 }
 
-void MatFlattener::add_numbers(const std::string& name, const matvar_t* variable) {
+void MatVariableReader::add_numbers(const std::string& name, const matvar_t* variable) {
   if (variable->rank < 1 || static_cast<std::size_t>(variable->rank) > kMaxMatDimensions)
     return skip(name, fmt::format("it has {} dimensions", variable->rank));
   MatVariable out = described(name, variable);
-  const std::uint64_t count = elements(variable);
+  const std::uint64_t count = element_count(variable);
   const std::uint64_t stored =
       static_cast<std::uint64_t>(variable->nbytes) / static_cast<std::uint64_t>(std::max(variable->data_size, 1));
   if (count == 0) return;
@@ -237,27 +148,27 @@ void MatFlattener::add_numbers(const std::string& name, const matvar_t* variable
   if (variable->isComplex != 0) {
     const auto* const parts = static_cast<const mat_complex_split_t*>(variable->data);
     if (parts->Re == nullptr || parts->Im == nullptr) refuse(one_line(name, kNameShown) + " cannot be read");
-    known = to_doubles(variable->data_type, parts->Re, count, out.real) &&
-            to_doubles(variable->data_type, parts->Im, count, out.imaginary);
+    known = matio::to_doubles(variable, parts->Re, count, out.real) &&
+            matio::to_doubles(variable, parts->Im, count, out.imaginary);
   } else {
-    known = to_doubles(variable->data_type, variable->data, count, out.real);
+    known = matio::to_doubles(variable, variable->data, count, out.real);
   }
   if (!known) return skip(name, "its numbers have an unknown type (save it as double)");
   out_.variables.push_back(std::move(out));
 }
 
-void MatFlattener::add_text(const std::string& name, const matvar_t* variable) {
+void MatVariableReader::add_text(const std::string& name, const matvar_t* variable) {
   MatVariable out = described(name, variable);
   out.is_text = true;
-  out.text = text_of(variable);
+  out.text = matio::text_of(variable);
   out_.variables.push_back(std::move(out));
 }
 
-void MatFlattener::add_structure(const std::string& name, const matvar_t* variable) {
-  add_fields(name, fields_of(variable));
+void MatVariableReader::add_structure(const std::string& name, const matvar_t* variable) {
+  add_fields(name, matio::fields_of(variable));
 }
 
-void MatFlattener::add_fields(const std::string& name, const std::vector<MatField>& fields) {
+void MatVariableReader::add_fields(const std::string& name, const std::vector<MatField>& fields) {
   for (const MatField& field : fields) {
     const std::vector<std::string> channels = channel_names(field);
     if (!channels.empty() && channels.size() <= kMaxElements) return add_channels(channels, fields);
@@ -265,7 +176,7 @@ void MatFlattener::add_fields(const std::string& name, const std::vector<MatFiel
   for (const MatField& field : fields) add_elements(name + "." + field.name, field.values, '(', ')');
 }
 
-void MatFlattener::add_channels(const std::vector<std::string>& names, const std::vector<MatField>& fields) {
+void MatVariableReader::add_channels(const std::vector<std::string>& names, const std::vector<MatField>& fields) {
   const bool one_array = std::count_if(fields.begin(), fields.end(), holds_samples) == 1;
   for (const MatField& field : fields) {
     std::string suffix = "." + field.name;
@@ -275,13 +186,13 @@ void MatFlattener::add_channels(const std::vector<std::string>& names, const std
   }
 }
 
-void MatFlattener::add_elements(const std::string& name, const std::vector<const matvar_t*>& elements_of, char open,
-                                char close) {
+void MatVariableReader::add_elements(const std::string& name, const std::vector<const matvar_t*>& elements_of,
+                                     char open, char close) {
   if (elements_of.empty()) return;
   if (elements_of.size() == 1) return add(name, elements_of.front());
   if (elements_of.size() > kMaxElements) refuse("more than 4096 elements in " + one_line(name, kNameShown));
   MatFile parts{.path = out_.path};
-  MatFlattener within(parts, UINT64_MAX);
+  MatVariableReader within(parts, UINT64_MAX);
   bool alike = true;
   std::string suffix;  // what follows the element's number in the name: ".x" of "test(1).x"
   for (std::size_t e = 0; e < elements_of.size(); ++e) {

@@ -1,0 +1,19 @@
+#pragma once
+#include <vector>
+
+#include "acquire/formats/hdf5/hdf5_input.hpp"
+#include "acquire/record/record.hpp"
+
+namespace percuss::acquire::hdf5 {
+
+/// The sampling rate: of the options, or else the attribute fs of the file or of its data sets. A note says if the
+/// options differ from the file. `force` may be nullptr.
+/// errors  InputError: no rate, two rates, or a rate that cannot be.
+double read_rate_Hz(const InputHdf5& file, const InputDataSet* force, const InputDataSet& accel,
+                    const ReadOptions& options, std::vector<Message>& notes);
+
+/// The faults state missing samples by their time at the rate of the file. At another stated rate, their times change
+/// so that they remain the same samples.
+void keep_missing_samples(const InputHdf5& file, Record& record);
+
+}  // namespace percuss::acquire::hdf5
