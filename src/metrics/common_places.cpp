@@ -122,6 +122,29 @@ bool counts_from(const std::map<int, int>& numbers, int first) {
          numbers.rbegin()->first - first + 1 == static_cast<int>(numbers.size());
 }
 
+// Matches the points by their numbers or their sequence.
+void by_number(const ComparedDocument& a, const ComparedDocument& b, const std::set<int>& points_a,
+               const std::set<int>& points_b, CommonPlaces& out) {
+  const std::map<int, int> numbers_a = points_by_number(a, points_a), numbers_b = points_by_number(b, points_b);
+  const auto pair = [&](int point_a, int point_b) {
+    const ComparedPlace *place_a = place_at(a, point_a), *place_b = place_at(b, point_b);
+    const auto sign = place_a != nullptr && place_b != nullptr ? common_sign(*place_a, *place_b) : 1;
+    if (sign) out.of_b[point_b] = {.point = point_a, .sign = *sign};
+  };
+  const bool shifted =
+      numbers_a.size() == numbers_b.size() && ((counts_from(numbers_a, 0) && counts_from(numbers_b, 1)) ||
+                                               (counts_from(numbers_a, 1) && counts_from(numbers_b, 0)));
+  if (shifted) {
+    out.by = PlacesMatchedBy::sequence;
+    for (auto x = numbers_a.begin(), y = numbers_b.begin(); x != numbers_a.end(); ++x, ++y) pair(x->second, y->second);
+    return;
+  }
+  for (const auto& [number, point] : numbers_b) {
+    const auto same = numbers_a.find(number);
+    if (same != numbers_a.end()) pair(same->second, point);
+  }
+}
+
 }  // namespace
 
 const char* name_of(PlacesMatchedBy by) {
@@ -139,32 +162,19 @@ const char* name_of(PlacesMatchedBy by) {
 CommonPlaces common_places(const ComparedDocument& a, const ComparedDocument& b) {
   const std::set<int> points_a = points_of(a), points_b = points_of(b);
   CommonPlaces out{.points_a = points_a.size(), .points_b = points_b.size()};
+  std::map<int, MatchedPoint> by_place;
   if (points_a.size() >= kMinPlaces && points_b.size() >= kMinPlaces) {
     const auto of_a = coordinates_of(a, points_a), of_b = coordinates_of(b, points_b);
     if (of_a && of_b) {
-      out.of_b = by_coordinates(a, b, *of_a, *of_b);
-      if (out.of_b.size() >= kMinPlaces) {
-        out.by = PlacesMatchedBy::coordinates;
-        return out;
-      }
-      out.of_b.clear();
+      by_place = by_coordinates(a, b, *of_a, *of_b);
       out.coordinates_differ = true;
     }
   }
-  const std::map<int, int> numbers_a = points_by_number(a, points_a), numbers_b = points_by_number(b, points_b);
-  const bool shifted =
-      numbers_a.size() == numbers_b.size() && ((counts_from(numbers_a, 0) && counts_from(numbers_b, 1)) ||
-                                               (counts_from(numbers_a, 1) && counts_from(numbers_b, 0)));
-  if (shifted) {
-    out.by = PlacesMatchedBy::sequence;
-    for (auto x = numbers_a.begin(), y = numbers_b.begin(); x != numbers_a.end(); ++x, ++y)
-      out.of_b[y->second] = {.point = x->second};
-    return out;
-  }
-  for (const auto& [number, point] : numbers_b) {
-    const auto same = numbers_a.find(number);
-    if (same != numbers_a.end()) out.of_b[point] = {.point = same->second};
-  }
+  by_number(a, b, points_a, points_b, out);
+  if (by_place.size() < std::max(kMinPlaces, out.of_b.size())) return out;
+  out.by = PlacesMatchedBy::coordinates;
+  out.of_b = std::move(by_place);
+  out.coordinates_differ = false;
   return out;
 }
 

@@ -25,13 +25,14 @@ struct CommonPlaces {
   PlacesMatchedBy by = PlacesMatchedBy::numbers;
   std::map<int, MatchedPoint> of_b{};      // by the point of the second document
   std::size_t points_a = 0, points_b = 0;  // with values in a shape
-  bool coordinates_differ = false;         // both state coordinates, but fewer than kMinPlaces agree
+  bool coordinates_differ = false;         // both state coordinates, but numbers pair more points
 };
 
 /// Matches the points of the shapes of two documents.
 /// By coordinates, points pair that are nearest to each other, and no further apart than 1 % of the largest extent of
 /// the document with fewer points, nor than a quarter of its smallest distance between two places. Points whose stated
-/// directions are not parallel do not pair. Fewer than kMinPlaces pairs decide nothing: numbers do then.
+/// directions are not parallel do not pair. Numbers decide where coordinates give fewer than kMinPlaces pairs, or fewer
+/// than the numbers: a model's origin may be another.
 CommonPlaces common_places(const ComparedDocument& a, const ComparedDocument& b);
 
 /// The second document with the point numbers and directions of the first, without the values at other places.

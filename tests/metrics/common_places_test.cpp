@@ -117,6 +117,31 @@ TEST(CommonPlaces, SaysThatCoordinatesDiffer) {
   EXPECT_EQ(common.of_b.size(), 5U);
 }
 
+// The origin of a model's grid is at its centre: half of the points agree with others.
+TEST(CommonPlaces, BelievesNumbersOfMorePoints) {
+  std::map<int, ComparedPlace> test, model;
+  std::map<int, double> shape;
+  for (int p = 0; p < 9; ++p) {
+    test[p] = at(p + 1, Coordinates{0.1 * p, 0, 0});
+    model[p] = at(p + 1, Coordinates{0.1 * (p - 4), 0, 0});
+    shape[p] = p * p - 10;
+  }
+  const auto a = document_of(shape, test), b = document_of(shape, model);
+  const CommonPlaces common = common_places(a, b);
+  EXPECT_EQ(common.by, PlacesMatchedBy::numbers);
+  EXPECT_EQ(common.of_b.size(), 9U);
+  EXPECT_TRUE(common.coordinates_differ);
+  EXPECT_NEAR(mac_of(a, b), 1, kRounding);
+}
+
+TEST(CommonPlaces, TurnsOppositeDirectionsOfEqualNumbers) {
+  const Coordinates up{0, 0, 1}, down{0, 0, -1};
+  const auto a = document_of({{1, 1}, {2, 2}, {3, -1}}, {{1, at(1, {}, up)}, {2, at(2, {}, up)}, {3, at(3, {}, up)}});
+  const auto b =
+      document_of({{1, 1}, {2, -2}, {3, -1}}, {{1, at(1, {}, up)}, {2, at(2, {}, down)}, {3, at(3, {}, up)}});
+  EXPECT_NEAR(mac_of(a, b), 1, kRounding);
+}
+
 TEST(CommonPlaces, HasNoneWithoutShapes) {
   const CommonPlaces common = common_places(document_of({}), document_of({{0, 1}}));
   EXPECT_TRUE(common.of_b.empty());

@@ -110,9 +110,16 @@ bool fill_a_table(const std::vector<identify::Residue>& residues) {
   return points.size() >= metrics::kMinPlaces && points.size() * channels.size() <= kMinFilled * residues.size();
 }
 
+// Whether there are enough points for a comparison, with one residue each.
+bool has_one_per_point(const std::vector<identify::Residue>& residues) {
+  std::set<std::size_t> points;
+  for (const identify::Residue& residue : residues) points.insert(residue.point);
+  return points.size() >= metrics::kMinPlaces && points.size() == residues.size();
+}
+
 // The shape at its places (point, channel): over the points if there are enough of them, with channel -1, since each
-// sensor shows the same shape, with a factor of its own. Otherwise, and with a roving sensor, whose channels are
-// directions, each channel of a point is a place.
+// sensor shows the same shape, with a factor of its own. Otherwise, and with a roving sensor of several directions,
+// each channel of a point is a place.
 std::map<std::pair<int, int>, metrics::ComparedMode::Component> shape_of(const identify::Mode& mode,
                                                                          identify::Roving roving) {
   std::map<std::pair<int, int>, metrics::ComparedMode::Component> out;
@@ -122,9 +129,11 @@ std::map<std::pair<int, int>, metrics::ComparedMode::Component> shape_of(const i
       out[{static_cast<int>(place.point), kEverySensor}] = {.value = place.value, .std = place.std};
     return out;
   }
-  for (const identify::Residue& residue : mode.residues)
-    out[{static_cast<int>(residue.point), static_cast<int>(residue.channel)}] = {.value = residue.value,
-                                                                                 .std = residue.std};
+  const bool over_points = has_one_per_point(mode.residues);
+  for (const identify::Residue& residue : mode.residues) {
+    const int channel = over_points ? kEverySensor : static_cast<int>(residue.channel);
+    out[{static_cast<int>(residue.point), channel}] = {.value = residue.value, .std = residue.std};
+  }
   return out;
 }
 

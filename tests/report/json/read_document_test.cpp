@@ -55,6 +55,11 @@ TEST(ReadDocument, ComparesTheDirectionsOfARovingSensor) {
               121.0 / 126, kRounding);
 }
 
+// A survey with a roving hammer, a model, and a survey with a roving sensor state one shape.
+TEST(ReadDocument, ComparesTheOneDirectionOfARovingSensorWithOtherTests) {
+  EXPECT_NEAR(mac_of(document_of({1, 2, 3}, {1, 0.5}), document_of({1, 2, 2}, {1}, "sensor")), 121.0 / 126, kRounding);
+}
+
 TEST(ReadDocument, ReadsOrdersAndConfidences) {
   const auto test = parse_documents(R"({"schema": "percuss/analysis/1", "modes": [)"
                                     R"({"frequency_hz": 100, "family": "bending", "order": 2, "confidence": 0.97},)"
