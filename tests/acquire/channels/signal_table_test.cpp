@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "acquire/channels/csv_columns.hpp"
+#include "acquire/record/note_codes.hpp"
 
 namespace percuss::acquire::signal_table_test {
 
@@ -30,8 +31,10 @@ TEST(RecordOfTable, AssumesTheSiUnitOfTheQuantity) {
   const Record record = record_of_table(table, {.has_force = false, .accel = {0, 1}}, {.force_optional = true});
   EXPECT_EQ(record.accel.at(0).unit, "m/s^2");
   EXPECT_EQ(record.accel.at(1).unit, "Pa");
-  EXPECT_THAT(record.notes, testing::IsSupersetOf({Message("the unit of tip is not stated; taken as m/s^2", {"unit"}),
-                                                   Message("the unit of mic is not stated; taken as Pa", {"unit"})}));
+  Message tip("the unit of tip is not stated; taken as m/s^2", {"unit"});
+  Message microphone("the unit of mic is not stated; taken as Pa", {"unit"});
+  tip.code = microphone.code = kResponseUnitAssumed;
+  EXPECT_THAT(record.notes, testing::IsSupersetOf({tip, microphone}));
 }
 
 TEST(FindRoles, ListsTheShapesOfArraysThatAreAmbiguous) {
