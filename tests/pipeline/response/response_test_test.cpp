@@ -230,7 +230,8 @@ TEST(ResponseTest, FindsNoImpactInNoise) {
   ASSERT_EQ(test.hits.size(), 1U);
   EXPECT_FALSE(test.hits[0].accepted);
   ASSERT_NE(warning_of(test, "no_modes"), nullptr);
-  EXPECT_THAT(warning_of(test, "no_modes")->message, testing::HasSubstr("no impact was found: no signal rises above the noise"));
+  EXPECT_THAT(warning_of(test, "no_modes")->message,
+              testing::HasSubstr("no impact was found: no signal rises above the noise"));
   EXPECT_EQ(why_impossible(test).text, warning_of(test, "no_modes")->message);
   EXPECT_EQ(warning_of(test, "no_free_decay"), nullptr);
 }
