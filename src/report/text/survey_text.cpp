@@ -35,7 +35,7 @@ std::string note_cell(const identify::ModeClassification& classification) {
 }  // namespace
 
 TextTable survey_modes_table(const pipeline::Survey& survey) {
-  const auto& modes = survey.analysis().modes();
+  const auto& modes = survey.modes();
   const bool tube =
       std::any_of(survey.tubes().begin(), survey.tubes().end(), [](const auto& t) { return t.has_value(); });
   const bool mass = std::any_of(survey.shapes().begin(), survey.shapes().end(),
