@@ -24,7 +24,7 @@ constexpr double kOwnMode = 0.5;            // half-power bandwidths to another 
 constexpr double kWindow = 2;               // half-power bandwidths on either side of the pole
 constexpr double kMinWindowLines = 8;       // on either side
 constexpr Index kBackgroundTerms = 3;       // of the polynomial of each FRF
-constexpr int kPasses = 12;                 // of the linearised fit
+constexpr int kPencilPasses = 12;           // of the linearised fit
 constexpr double kSettled = 1e-4;           // change of the split in a pass, of its standard deviation
 constexpr double kMinSplit = 5;             // standard deviations of a split that tells the two modes apart
 constexpr double kMaxSplit = 0.5;           // half-power bandwidths: the linearised fit converges below
@@ -193,7 +193,7 @@ std::optional<PoleShifts> separate(const LinearisedFit& fit, const ResidueMatrix
   residues.fill(MatrixXcd::Zero(at.value.rows(), at.value.cols()));
   Pair shift_Hz{};
   double split_before = 0;
-  for (int pass = 0; pass < kPasses; ++pass) {
+  for (int pass = 0; pass < kPencilPasses; ++pass) {
     const LinearisedFit::Change change = fit.change(at, residues, shift_Hz);
     const MatrixXcd a = residues[0] + residues[1] + change.a;
     const MatrixXcd b = shift_Hz[0] * residues[0] + shift_Hz[1] * residues[1] + change.b;
@@ -204,7 +204,7 @@ std::optional<PoleShifts> separate(const LinearisedFit& fit, const ResidueMatrix
     }
     const double split = std::abs(found.shift_Hz[1] - found.shift_Hz[0]);
     const bool settled = pass > 0 && std::abs(split - split_before) < kSettled * found.entry_std_Hz;
-    if (settled || pass + 1 == kPasses) return found;
+    if (settled || pass + 1 == kPencilPasses) return found;
     split_before = split;
     residues = found.residues;
     shift_Hz = found.shift_Hz;
