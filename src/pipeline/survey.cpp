@@ -291,7 +291,8 @@ std::vector<Warning> Survey::warnings() const {
                               .reciprocity = reciprocity(),
                               .synthesis = synthesis(),
                               .frf_points = analysis_.frf_points(),
-                              .names = analysis_.point_names()};
+                              .names = analysis_.point_names(),
+                              .repeated = unresolved_modes(split_modes())};
   remove_consequences_of_pairs(analysis_, split_modes(), out);
   for (Warning& warning : repeated_mode_warnings(split_modes(), !driving_.empty())) out.push_back(std::move(warning));
   out.insert(out.end(), geometry_warnings_.begin(), geometry_warnings_.end());

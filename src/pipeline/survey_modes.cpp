@@ -83,6 +83,14 @@ std::vector<identify::ModeClassification> classify_by_sensors(const Analysis& an
   return out;
 }
 
+std::vector<std::size_t> unresolved_modes(const SurveyModes& survey) {
+  std::vector<std::size_t> out;
+  for (const SurveyModes::Pair& pair : survey.pairs) {
+    if (!pair.resolved) out.insert(out.end(), {pair.first, pair.first + 1});
+  }
+  return out;
+}
+
 std::vector<Warning> repeated_mode_warnings(const SurveyModes& survey, bool driving_point) {
   std::string names;
   for (const SurveyModes::Pair& pair : survey.pairs) {

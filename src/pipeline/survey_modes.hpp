@@ -27,6 +27,9 @@ SurveyModes survey_modes(const Analysis& analysis, identify::Roving roving,
 /// The types of the modes by two sensors, as Analysis::classifications(), which serve where there is no pair.
 std::vector<identify::ModeClassification> classify_by_sensors(const Analysis& analysis, const SurveyModes& survey);
 
+/// The modes of the pairs that are not resolved.
+std::vector<std::size_t> unresolved_modes(const SurveyModes& survey);
+
 /// repeated_modes: pairs that are not resolved.
 std::vector<Warning> repeated_mode_warnings(const SurveyModes& survey, bool driving_point);
 

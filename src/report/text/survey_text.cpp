@@ -24,7 +24,9 @@ std::string plane_cell(const std::optional<identify::TubeShape>& tube) {
 
 std::string note_cell(const identify::ModeClassification& classification) {
   std::string note;
-  if (classification.split_mode) {
+  if (classification.split_mode && classification.split_mode->separation_Hz == 0) {
+    note = "one of two modes at this frequency";
+  } else if (classification.split_mode) {
     note = fmt::format("split mode, {:.3g} Hz apart{}", classification.split_mode->separation_Hz,
                        classification.split_mode->quoted ? ": its frequency stands for the mode" : "");
   }
