@@ -86,6 +86,7 @@ std::vector<Warning> Analysis::warnings_of_hits(const HitEvidence& evidence) con
   std::set<std::size_t> noisy_hits;
   if (force_known && responses_.ready() && hits_.ready())
     noisy_hits = hits_that_differ_by_noise(graded, responses(), transform_options());
+  if (force_known && responses_.ready() && hits_.ready()) noisy_hits.merge(hits_on_node_lines(graded, responses()));
   for (const SilentPoint& one : evidence.silent_points) noisy_hits.insert(one.hits.begin(), one.hits.end());
   std::vector<Warning> out = hit_warnings(record(), graded, point_names(), noisy_hits);
   if (!force_known) return out;

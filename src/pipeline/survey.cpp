@@ -166,13 +166,17 @@ void Survey::find_driving_points() {
   }
 }
 
+const SurveyModes& Survey::split_modes() const {
+  return within_budget(analysis_.budget(), split_modes_, [&] { return survey_modes(analysis_, roving_, driving_); });
+}
+
 const std::vector<identify::ModeShape>& Survey::shapes() const {
   return within_budget(analysis_.budget(), shapes_, [&] {
-    const auto& modes = analysis_.modes();
+    const auto& listed = modes();
     return analysis_.trace().run("shapes", [&] {
       std::vector<identify::ModeShape> shapes;
-      shapes.reserve(modes.size());
-      for (const identify::Mode& mode : modes)
+      shapes.reserve(listed.size());
+      for (const identify::Mode& mode : listed)
         shapes.push_back(identify::shape_of(mode, {.roving = roving_, .driving = driving_}));
       return shapes;
     });
@@ -208,25 +212,25 @@ identify::LowerOrders Survey::lower_orders(const std::vector<identify::ModeClass
     const identify::ModeShape shape = identify::shape_of(below[m], {.roving = roving_, .driving = driving_});
     if (const auto tube = shape_on_tube(shape)) classify_by_tube(types[m], *tube);
   }
-  return identify::lower_orders(below, types, analysis_.modes(), found, analysis_.options().classes);
+  return identify::lower_orders(below, types, modes(), found, analysis_.options().classes);
 }
 
 std::vector<identify::ModeClassification> Survey::classify_by_shapes() const {
-  std::vector<identify::ModeClassification> classifications = analysis_.classifications();
+  std::vector<identify::ModeClassification> classifications = classify_by_sensors(analysis_, split_modes());
   const bool any = std::any_of(tubes().begin(), tubes().end(), [](const auto& tube) { return tube.has_value(); });
   if (!any) return classifications;
-  const auto& modes = analysis_.modes();
-  for (std::size_t m = 0; m < modes.size(); ++m) {
+  const auto& listed = modes();
+  for (std::size_t m = 0; m < listed.size(); ++m) {
     if (tubes()[m]) classify_by_tube(classifications[m], *tubes()[m]);
   }
-  identify::assign_orders(modes, classifications, analysis_.options().classes, lower_orders(classifications));
-  for (std::size_t m = 0; m < modes.size(); ++m) {
+  identify::assign_orders(listed, classifications, analysis_.options().classes, lower_orders(classifications));
+  for (std::size_t m = 0; m < listed.size(); ++m) {
     auto& peak = classifications[m].split_mode;
     if (!peak || !peak->first) continue;
     auto& other = classifications[peak->partner].split_mode;
     const std::size_t partner = peak->partner;
     if (same_pattern(tubes()[m], tubes()[partner])) {
-      identify::describe_split(modes[m], modes[partner], plane_of(tubes()[m]), plane_of(tubes()[partner]), *peak,
+      identify::describe_split(listed[m], listed[partner], plane_of(tubes()[m]), plane_of(tubes()[partner]), *peak,
                                *other);
     } else {
       peak.reset();
@@ -255,7 +259,7 @@ const Eigen::MatrixXd& Survey::indicator() const {
 }
 
 std::vector<identify::DrivingPointCheck> Survey::driving_checks() const {
-  return identify::check_driving_points(analysis_.modes(), driving_);
+  return identify::check_driving_points(modes(), driving_);
 }
 
 std::vector<identify::ReciprocityCheck> Survey::reciprocity() const {
@@ -266,7 +270,7 @@ std::vector<identify::ReciprocityCheck> Survey::reciprocity() const {
       pairs.push_back({{driving_[i].point, driving_[j].channel}, {driving_[j].point, driving_[i].channel}});
     }
   }
-  return identify::check_reciprocity(analysis_.modes(), pairs);
+  return identify::check_reciprocity(modes(), pairs);
 }
 
 std::vector<Warning> Survey::warnings() const {
@@ -277,7 +281,7 @@ std::vector<Warning> Survey::warnings() const {
   std::erase_if(out,
                 [](const Warning& warning) { return warning.code == "double_peak" || warning.code == "three_waves"; });
   const SurveyResults results{.accel = analysis_.record().accel,
-                              .modes = analysis_.modes(),
+                              .modes = modes(),
                               .has_geometry = geometry_.has_value(),
                               .roving = roving_,
                               .shapes = shapes(),
@@ -287,7 +291,10 @@ std::vector<Warning> Survey::warnings() const {
                               .reciprocity = reciprocity(),
                               .synthesis = synthesis(),
                               .frf_points = analysis_.frf_points(),
-                              .names = analysis_.point_names()};
+                              .names = analysis_.point_names(),
+                              .repeated = unresolved_modes(split_modes())};
+  remove_consequences_of_pairs(analysis_, split_modes(), out);
+  for (Warning& warning : repeated_mode_warnings(split_modes(), !driving_.empty())) out.push_back(std::move(warning));
   out.insert(out.end(), geometry_warnings_.begin(), geometry_warnings_.end());
   for (Warning& warning : survey_warnings(results)) out.push_back(std::move(warning));
   for (Warning& warning : three_wave_warnings(results.modes, results.classifications))

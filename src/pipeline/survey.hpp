@@ -16,6 +16,7 @@
 #include "pipeline/analysis.hpp"
 #include "pipeline/stated_driving_points.hpp"
 #include "pipeline/survey_geometry.hpp"
+#include "pipeline/survey_modes.hpp"
 #include "pipeline/warnings/survey_warnings.hpp"
 
 namespace percuss::pipeline {
@@ -50,6 +51,10 @@ class Survey {
   /// The number that the geometry's file has for a point of geometry(), whose numbers are the record's.
   int stated_number(int point) const;
 
+  /// The analysis's modes, with two modes of nearly one frequency in the place of one whose residues need two shapes.
+  /// All results of the survey are about these.
+  const std::vector<identify::Mode>& modes() const { return split_modes().modes; }
+  const SurveyModes& split_modes() const;
   /// [modes]; a value is positive along the positive direction that the record states, if any.
   const std::vector<identify::ModeShape>& shapes() const;
   /// [modes]; nothing where the geometry is no tube.
@@ -83,6 +88,7 @@ class Survey {
   std::vector<Warning> geometry_warnings_;  // also about the numbers of driving points
   identify::TubeGeometry tube_places_;
   std::vector<identify::DrivingPoint> driving_;
+  Lazy<SurveyModes> split_modes_;
   Lazy<std::vector<identify::ModeShape>> shapes_;
   Lazy<std::vector<std::optional<identify::TubeShape>>> tubes_;
   Lazy<std::vector<identify::ModeClassification>> classifications_;

@@ -119,7 +119,7 @@ void write_places(acquire::UffOutput& out, const PlotMesh& mesh, const Nodes& no
 
 void write_shapes(const std::string& path, const pipeline::Survey* survey, const pipeline::Analysis& analysis,
                   const std::vector<identify::ModeShape>& shapes, bool sensors, bool force) {
-  const auto& modes = analysis.modes();
+  const auto& modes = survey == nullptr ? analysis.modes() : survey->modes();
   if (modes.empty()) throw InputError("no modes to write", path, "widen the band, or write .json", {"band"});
   const int offset = acquire::uff_node_offset(analysis.frf_points().front());
   const PlotMesh mesh = survey == nullptr ? PlotMesh{} : plot_mesh(*survey);

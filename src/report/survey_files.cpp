@@ -85,7 +85,7 @@ std::string shapes_csv(const pipeline::Survey& survey) {
       "mode,frequency_hz,damping_ratio,family,order,point,channel,position_m,angle_deg,x_m,y_m,z_m,re,im,std,scale_"
       "std\n";
   auto end = std::back_inserter(out);
-  const auto& modes = survey.analysis().modes();
+  const auto& modes = survey.modes();
   for (std::size_t m = 0; m < modes.size(); ++m) {
     const identify::ModeClassification& classification = survey.classifications()[m];
     for (const identify::ShapePlace& place : survey.shapes()[m].places) {
@@ -120,7 +120,7 @@ std::string cmif_csv(const pipeline::Survey& survey) {
 }
 
 void write_survey_hdf5(const std::string& path, const pipeline::Survey& survey, bool force) {
-  const auto& modes = survey.analysis().modes();
+  const auto& modes = survey.modes();
   std::vector<double> freq_Hz, damping;
   for (const identify::Mode& mode : modes) {
     freq_Hz.push_back(mode.pole.freq_Hz);

@@ -3,11 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/units.hpp"
@@ -64,6 +67,61 @@ synth::SynthSpec roving(synth::SynthSpec spec, int rings = 5) {
 
 // Without a limit of time, which sanitizers on a busy machine would exceed.
 AnalysisOptions in_band() { return {.band_Hz = std::pair{60.0, 3000.0}, .budget = Budget{}}; }
+
+// Two sensors 90° apart, and both planes of two bending modes at one frequency, or `split` apart.
+synth::SynthSpec round_barrel(double split, std::uint64_t seed) {
+  synth::SynthSpec spec = roving(barrel(), 3);
+  spec.seed = seed;
+  spec.sensors.push_back({.position_m = 0.05, .angle_rad = pi / 2});
+  spec.modes.erase(spec.modes.begin() + 2, spec.modes.end());
+  for (std::size_t m = 0; m < 2; ++m) {
+    synth::SynthMode other = spec.modes[m];
+    other.freq_Hz *= 1 + split;
+    other.angle_rad += pi / 2;
+    spec.modes.push_back(other);
+  }
+  std::swap(spec.modes[1], spec.modes[2]);  // ascending
+  return spec;
+}
+
+std::vector<std::string> codes_of(const std::vector<Warning>& warnings) {
+  std::vector<std::string> out;
+  for (const Warning& warning : warnings) out.push_back(warning.code);
+  return out;
+}
+
+TEST(RoundBarrelSurvey, HasBothModesOfEachPairOfPlanes) {
+  for (const double split : {0.0, 5e-4}) {
+    const synth::SyntheticTest made = synth::synthesise(round_barrel(split, 4));
+    const Analysis analysis(made.record, in_band());
+    const Survey survey(analysis, {});
+    EXPECT_EQ(analysis.modes().size(), 2U) << split;
+    ASSERT_EQ(survey.modes().size(), 4U) << split;
+    ASSERT_EQ(survey.shapes().size(), 4U);
+    for (std::size_t m = 0; m < 4; ++m) {
+      EXPECT_EQ(survey.classifications()[m].type, identify::ModeType::bending) << split << " " << m;
+      EXPECT_EQ(survey.classifications()[m].order, m < 2 ? 1 : 2) << split << " " << m;
+      const identify::Mode& mode = survey.modes()[m];
+      EXPECT_NEAR(mode.pole.freq_Hz, made.truth.spec.modes[m].freq_Hz, kDeviations * mode.freq_std_Hz) << split;
+      ASSERT_TRUE(survey.tubes()[m] && survey.tubes()[m]->plane_rad);
+      const double plane_rad = *survey.tubes()[m]->plane_rad, std_rad = survey.tubes()[m]->plane_std_rad;
+      const auto off_rad = [&](double truth_rad) { return std::abs(std::remainder(plane_rad - truth_rad, pi)); };
+      if (split > 0) {
+        EXPECT_LT(off_rad(made.truth.spec.modes[m].angle_rad), kDeviations * std_rad) << m;
+      } else {  // the planes of the sensors
+        EXPECT_LT(std::min(off_rad(0), off_rad(pi / 2)), kDeviations * std_rad) << m;
+      }
+    }
+    EXPECT_EQ(survey.split_modes().pairs.size(), 2U);
+    const auto repeated = Contains(std::string("repeated_modes"));
+    if (split > 0) {
+      EXPECT_THAT(codes_of(survey.warnings()), Not(repeated));
+    } else {
+      EXPECT_THAT(codes_of(survey.warnings()), repeated);
+    }
+    EXPECT_THAT(codes_of(survey.warnings()), Not(Contains(std::string("moving_modes"))));
+  }
+}
 
 // The survey of that bat, computed once; the sensor sits at point 0.
 class BarrelSurvey : public testing::Test {

@@ -211,4 +211,18 @@ ModeShape shape_of(const Mode& mode, const ShapeOptions& options) {
   return shape;
 }
 
+RankOneResidual rank_one_residual(const Mode& mode) {
+  RankOneResidual out;
+  const Grid grid = grid_of(mode);
+  if (grid.points.size() < 2 || grid.channels.size() < 2) return out;
+  const RankOne fit = rank_one(grid);
+  const Eigen::MatrixXcd rest = grid.value - fit.a * fit.b.transpose();
+  out.chi2 = (grid.weight.array() * rest.array().abs2()).sum();
+  out.freedom = 2 * (static_cast<double>(mode.residues.size()) - static_cast<double>(grid.points.size()) -
+                     static_cast<double>(grid.channels.size()) + 1);
+  const Eigen::VectorXd singular = singular_values(grid.value);
+  if (singular(0) > 0) out.second_singular = singular(1) / singular(0);
+  return out;
+}
+
 }  // namespace percuss::identify

@@ -1,5 +1,6 @@
 #include "pipeline/hits/hit_noise.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <optional>
@@ -13,6 +14,10 @@ namespace {
 // Limit of the unexplained energy over the energy of the hit's own noise. The noise of the other hits may double the
 // unexplained energy, and sixteen samples before a hit determine the energy of the noise only to a third.
 constexpr double kClearOfNoise = 4;
+// Unexplained energy over the energy of hits at other points: 14 % in amplitude, as 4° beside the node line of a hoop
+// mode.
+constexpr double kBesideNode = 0.02;
+constexpr double kTypicalQuantile = 0.75;  // many points of a survey may lie on node lines
 
 // Σ w² of the exponential window over the samples: the energy of white noise of variance 1 on a spectral line.
 double window_energy(const TransformOptions& options) {
@@ -32,6 +37,14 @@ std::optional<double> explained_share(const AnalysedHit& hit) {
     if (finding.code == acquire::FindingCode::low_coherence) return finding.value;
   }
   return std::nullopt;
+}
+
+// Energy of the responses per unit of the force's peak; nothing for a hit without responses.
+std::optional<double> excited_energy(const AnalysedHit& hit, const std::vector<HitResponse>& responses) {
+  double energy = 0;
+  for (const HitResponse& one : responses) energy += energy_of(one.spectrum);
+  const double peak_N = hit.hit.peak_N;
+  return responses.empty() || peak_N == 0 ? std::nullopt : std::optional(energy / (peak_N * peak_N));
 }
 
 bool differs_by_noise(const std::vector<HitResponse>& responses, double explained, double line_energy) {
@@ -54,6 +67,26 @@ std::set<std::size_t> hits_that_differ_by_noise(const std::vector<AnalysedHit>& 
     const std::optional<double> explained = explained_share(hits[h]);
     if (!explained || h >= responses.of.size() || may_ring_before(hits[h])) continue;
     if (differs_by_noise(responses.of[h], *explained, line_energy)) out.insert(h);
+  }
+  return out;
+}
+
+std::set<std::size_t> hits_on_node_lines(const std::vector<AnalysedHit>& hits, const HitResponses& responses) {
+  std::vector<std::optional<double>> energy(hits.size());
+  std::vector<double> known;
+  for (const std::size_t h : accepted_hits(hits)) {
+    if (h >= responses.of.size()) continue;
+    energy[h] = excited_energy(hits[h], responses.of[h]);
+    if (energy[h]) known.push_back(*energy[h]);
+  }
+  if (known.empty()) return {};
+  const auto typical =
+      known.begin() + static_cast<std::ptrdiff_t>(kTypicalQuantile * static_cast<double>(known.size()));
+  std::nth_element(known.begin(), typical, known.end());
+  std::set<std::size_t> out;
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    const std::optional<double> explained = explained_share(hits[h]);
+    if (energy[h] && explained && (1 - *explained) * *energy[h] <= kBesideNode * *typical) out.insert(h);
   }
   return out;
 }

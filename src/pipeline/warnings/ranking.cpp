@@ -75,6 +75,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"uneven_decay", Severity::warn},
     {"spike", Severity::warn},
     {"double_peak", Severity::warn},
+    {"repeated_modes", Severity::warn},
     {"sensor_on_node", Severity::warn},
     {"narrow_arc", Severity::warn},
     {"driving_point_numbers", Severity::warn},

@@ -59,6 +59,7 @@ void warn_of_nodes(const SurveyResults& survey, std::vector<Warning>& out) {
   for (std::size_t c = 0; c < accel.size() && accel.size() > 1; ++c) {
     std::string blind;
     for (std::size_t m = 0; m < modes.size(); ++m) {
+      if (std::find(survey.repeated.begin(), survey.repeated.end(), m) != survey.repeated.end()) continue;
       if (survey.shapes[m].significance > kMinCertainRms && residue_rms(modes[m], c) < kMaxNoiseRms)
         add_name(blind, mode_name(survey, m));
     }

@@ -27,6 +27,7 @@ struct SurveyResults {
   const std::vector<identify::SynthesisedFrf>& synthesis;  // [FRF channels]; `point` is an index into frf_points
   std::vector<int> frf_points;
   const PointNames& names;
+  std::vector<std::size_t> repeated{};  // modes whose shapes are chosen so that some sensor does not see them
 };
 
 /// no_geometry, sensor_on_node, driving_point_sign, reciprocity, frac, double_peak.

@@ -43,11 +43,11 @@ Json frf_plot_json(const pipeline::Analysis& analysis) {
   return json;
 }
 
-Json modes_plot_json(const pipeline::Analysis& analysis,
+Json modes_plot_json(const pipeline::Analysis& analysis, const std::vector<identify::Mode>& modes,
                      const std::vector<identify::ModeClassification>& classifications) {
   Json out = Json::array();
   for (std::size_t m = 0; m < classifications.size(); ++m) {
-    const identify::Mode& mode = analysis.modes()[m];
+    const identify::Mode& mode = modes[m];
     const identify::ModeClassification& classification = classifications[m];
     Json json{{"hz", mode.pole.freq_Hz},
               {"zeta", mode.pole.damping_ratio},
@@ -100,7 +100,7 @@ Json stabilisation_plot_json(const identify::Stabilisation& diagram, const std::
 
 std::string analysis_plot_data(const pipeline::Analysis& analysis,
                                const std::vector<identify::ModeClassification>& classifications,
-                               const PlotSelection& wanted) {
+                               const PlotSelection& wanted, const std::vector<identify::Mode>* modes) {
   Json json = Json::object();
   if (wanted.hits && analysis.given_frfs() == nullptr) {
     json["hits"] = hits_plot_json(analysis);
@@ -110,7 +110,7 @@ std::string analysis_plot_data(const pipeline::Analysis& analysis,
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
   json["band_hz"] = {low_Hz, high_Hz};
   if (wanted.frfs) json["frf"] = frf_plot_json(analysis);
-  json["modes"] = modes_plot_json(analysis, classifications);
+  json["modes"] = modes_plot_json(analysis, modes != nullptr ? *modes : analysis.modes(), classifications);
   if (wanted.stabilisation)
     json["stabilisation"] = stabilisation_plot_json(analysis.stabilisation(), analysis.unmodelled_poles());
   return ascii_text(json);

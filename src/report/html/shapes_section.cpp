@@ -64,7 +64,7 @@ MacMatrix auto_mac(const pipeline::Survey& survey) {
                 .values = {}};
   const auto& macs = survey.macs();
   for (std::size_t m = 0; m < macs.size(); ++m) {
-    const std::string freq = hertz_text(survey.analysis().modes()[m].pole.freq_Hz);
+    const std::string freq = hertz_text(survey.modes()[m].pole.freq_Hz);
     out.rows.push_back(fmt::format("{}: {} Hz", m + 1, freq));
     out.columns.push_back(fmt::format("{}", m + 1));
     out.values.emplace_back();

@@ -36,9 +36,9 @@ std::string survey_page(const pipeline::Survey& survey, const Provenance& proven
   if (possible) parts.insert({PagePart::fit, PagePart::stabilisation});
   if (!classifications.empty()) parts.insert(PagePart::shapes);
   const PageWarnings warnings(survey.warnings(), analysis.hits(), parts);
-  const std::string summary = summary_sentence(analysis, classifications);
+  const std::string summary = summary_sentence(analysis, classifications, possible ? &survey.modes() : nullptr);
   std::string found = "<p class=\"verdict\">" + html_escape(summary) + "</p>\n" + warnings.caution(), shapes;
-  std::string data = "[" + analysis_plot_data(analysis, classifications);
+  std::string data = "[" + analysis_plot_data(analysis, classifications, {}, possible ? &survey.modes() : nullptr);
   if (!classifications.empty()) {
     found += survey_modes_table(survey).html() + quoted_modes_key(classifications);
     data += "," + shapes_plot_data(survey);

@@ -53,19 +53,21 @@ Json trace_json(const pipeline::Analysis& analysis) {
 
 void add_modes(JsonDocument& document, const pipeline::Analysis& analysis, const JsonOptions& options) {
   const bool classes = options.sections.contains(ReportSection::classes);
-  const std::vector<identify::Mode>& modes = analysis.modes();
+  const std::vector<identify::Mode>& modes = options.modes != nullptr ? options.modes->modes : analysis.modes();
   const double decay = analysis.window_decay_per_s();
   const std::vector<double>& frac = analysis.fit().mode_frac;
   const std::vector<identify::ModeClassification>* classifications = options.classifications;
   if (classes && classifications == nullptr) classifications = &analysis.classifications();
-  document.add("modes", modes.size(),
-               [&modes, &frac, decay, classifications, classes, shape = options.shape](std::size_t m) {
-                 std::string text = mode_json(modes[m], m,
-                                              {.window_decay_per_s = decay,
-                                               .classification = classes ? &(*classifications)[m] : nullptr,
-                                               .frac = m < frac.size() ? frac[m] : 0});
-                 return shape ? with_member(std::move(text), "shape", shape(m)) : text;
-               });
+  document.add(
+      "modes", modes.size(),
+      [&modes, &frac, decay, classifications, classes, shape = options.shape, of = options.modes](std::size_t m) {
+        const std::size_t fitted = of != nullptr ? of->of_analysis[m] : m;
+        std::string text = mode_json(modes[m], m,
+                                     {.window_decay_per_s = decay,
+                                      .classification = classes ? &(*classifications)[m] : nullptr,
+                                      .frac = fitted < frac.size() ? frac[fitted] : 0});
+        return shape ? with_member(std::move(text), "shape", shape(m)) : text;
+      });
   analysis.channel_findings();
   analysis.unexplained_peaks();
   document.add("fit", [&] { return fit_json(analysis); });

@@ -8,6 +8,7 @@
 
 #include "pipeline/analysis.hpp"
 #include "pipeline/impact_test.hpp"
+#include "pipeline/survey_modes.hpp"
 #include "report/json/bat_label.hpp"
 #include "report/json/json_document.hpp"
 #include "report/text/report_sections.hpp"
@@ -23,6 +24,7 @@ struct JsonOptions {
   // In place of the analysis's own:
   const std::vector<identify::ModeClassification>* classifications = nullptr;
   const std::vector<pipeline::Warning>* warnings = nullptr;
+  const pipeline::SurveyModes* modes = nullptr;
   std::function<std::string(std::size_t mode)> shape;  // value of each mode's member "shape", as JSON text
   std::optional<BatLabel> bat;
   const pipeline::ImpactTest* deflection = nullptr;  // for a single test

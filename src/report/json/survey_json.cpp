@@ -178,6 +178,7 @@ std::string survey_json(const pipeline::Survey& survey, JsonOptions options) {
   const std::vector<pipeline::Warning> warnings = survey.warnings();
   options.warnings = &warnings;
   if (possible) {
+    options.modes = &survey.split_modes();
     options.shape = [&, &shapes = survey.shapes(), &tubes = survey.tubes()](std::size_t m) {
       return indented_text(shape_json(shapes[m], tubes[m], survey.roving()));
     };

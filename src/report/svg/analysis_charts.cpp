@@ -19,11 +19,11 @@ constexpr double kTurn_deg = 360, kJump_deg = 300;
 constexpr double kMinAmplitude = 0.01;  // of a curve, as a lower limit where the ± band reaches zero
 const ChartAxis kFrequency{.label = "frequency, Hz"};
 
-std::vector<ChartAnnotation> mode_flags(const pipeline::Analysis& analysis,
+std::vector<ChartAnnotation> mode_flags(const std::vector<identify::Mode>& modes,
                                         const std::vector<identify::ModeClassification>& classifications) {
   std::vector<ChartAnnotation> flags;
   for (std::size_t m = 0; m < classifications.size(); ++m)
-    flags.push_back({.x = analysis.modes()[m].pole.freq_Hz, .name = mode_name(classifications[m], m)});
+    flags.push_back({.x = modes[m].pole.freq_Hz, .name = mode_name(classifications[m], m)});
   return flags;
 }
 
@@ -38,6 +38,7 @@ ChartBand band_of(const FrfCurve& curve, const std::vector<double>& x, std::size
 }
 
 LineChart magnitude_chart(const pipeline::Analysis& analysis, const std::vector<FrfCurve>& frfs,
+                          const std::vector<identify::Mode>& modes,
                           const std::vector<identify::ModeClassification>& classifications) {
   LineChart chart{.title = "Frequency responses", .x = kFrequency, .y = {.label = "dB re 1 (m/s²)/N"}};
   const std::vector<double> x = acquire::frequencies_Hz(analysis.lines());
@@ -48,7 +49,7 @@ LineChart magnitude_chart(const pipeline::Analysis& analysis, const std::vector<
   for (const FrfCurve& frf : frfs) {
     if (!frf.fit_dB.empty()) chart.curves.push_back({.x = x, .y = frf.fit_dB, .thin = true});
   }
-  chart.flags = mode_flags(analysis, classifications);
+  chart.flags = mode_flags(modes, classifications);
   return chart;
 }
 
@@ -112,7 +113,7 @@ ChartCurve unmodelled_poles(const pipeline::Analysis& analysis) {
   return curve;
 }
 
-LineChart stabilisation_chart(const pipeline::Analysis& analysis,
+LineChart stabilisation_chart(const pipeline::Analysis& analysis, const std::vector<identify::Mode>& modes,
                               const std::vector<identify::ModeClassification>& classifications) {
   LineChart chart{.title = "Stabilisation", .x = kFrequency, .y = {.label = "model order"}};
   struct Kind {
@@ -135,7 +136,7 @@ LineChart stabilisation_chart(const pipeline::Analysis& analysis,
     if (!curve.x.empty()) chart.curves.push_back(std::move(curve));
   }
   if (ChartCurve poles = unmodelled_poles(analysis); !poles.x.empty()) chart.curves.push_back(std::move(poles));
-  chart.flags = mode_flags(analysis, classifications);
+  chart.flags = mode_flags(modes, classifications);
   return chart;
 }
 
@@ -149,7 +150,8 @@ const std::vector<std::string>& analysis_chart_names() {
 
 std::vector<SvgFragment> analysis_charts(const pipeline::Analysis& analysis,
                                          const std::vector<identify::ModeClassification>& classifications,
-                                         const std::vector<std::string>& names) {
+                                         const std::vector<std::string>& names,
+                                         const std::vector<identify::Mode>* modes) {
   const auto wants = [&](std::initializer_list<const char*> any) {
     return std::any_of(any.begin(), any.end(),
                        [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); });
@@ -159,8 +161,12 @@ std::vector<SvgFragment> analysis_charts(const pipeline::Analysis& analysis,
       possible && wants({"magnitude", "phase", "coherence"}) ? frf_curves(analysis) : std::vector<FrfCurve>();
   const auto hits =
       with_hits && wants({"force", "response", "spectrum", "decay"}) ? hit_curves(analysis) : std::vector<HitCurves>();
+  static const std::vector<identify::Mode> kNone;
+  const std::vector<identify::Mode>& listed = modes != nullptr          ? *modes
+                                              : classifications.empty() ? kNone
+                                                                        : analysis.modes();
   std::vector<LineChart> charts;
-  if (!frfs.empty() && wants({"magnitude"})) charts.push_back(magnitude_chart(analysis, frfs, classifications));
+  if (!frfs.empty() && wants({"magnitude"})) charts.push_back(magnitude_chart(analysis, frfs, listed, classifications));
   if (!frfs.empty() && wants({"phase"})) charts.push_back(phase_chart(analysis, frfs));
   if (!frfs.empty() && wants({"coherence"})) charts.push_back(coherence_chart(analysis, frfs));
   if (wants({"force"})) {
@@ -189,13 +195,13 @@ std::vector<SvgFragment> analysis_charts(const pipeline::Analysis& analysis,
                                  .x = {.label = "time after the force's peak, s"},
                                  .y = {.label = "dB re the largest level"}}));
   }
-  if (wants({"stabilisation"}) && possible) charts.push_back(stabilisation_chart(analysis, classifications));
+  if (wants({"stabilisation"}) && possible) charts.push_back(stabilisation_chart(analysis, listed, classifications));
   std::vector<SvgFragment> pieces;
   for (const LineChart& chart : charts) {
     if (!chart.curves.empty()) pieces.push_back(line_chart_fragment(chart));
   }
   if (wants({"movement"}) && possible) {
-    const auto barrels = barrel_cross_sections(analysis, classifications);
+    const auto barrels = barrel_cross_sections(analysis, listed, classifications);
     if (!barrels.empty()) pieces.push_back(shape_svg("Cross-section of the barrel", barrels));
   }
   return pieces;

@@ -68,10 +68,11 @@ std::vector<BarrelSensor> barrel_sensors(const pipeline::Analysis& analysis, con
 }
 
 std::vector<DeformedShape> barrel_cross_sections(const pipeline::Analysis& analysis,
+                                                 const std::vector<identify::Mode>& modes,
                                                  const std::vector<identify::ModeClassification>& classifications) {
   std::vector<DeformedShape> drawings;
   for (std::size_t m = 0; m < classifications.size(); ++m) {
-    const identify::Mode& mode = analysis.modes()[m];
+    const identify::Mode& mode = modes[m];
     const auto sensors = barrel_sensors(analysis, mode);
     if (sensors.size() != 2 || classifications[m].type == identify::ModeType::unknown) continue;
     const double n = classifications[m].type == identify::ModeType::hoop ? 2 : 1;

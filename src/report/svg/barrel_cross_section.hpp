@@ -18,6 +18,7 @@ std::vector<BarrelSensor> barrel_sensors(const pipeline::Analysis& analysis, con
 /// The barrel's cross-section in each classified mode that two sensors measured: bending shifts it, a hoop mode turns
 /// it into an ellipse.
 std::vector<DeformedShape> barrel_cross_sections(const pipeline::Analysis& analysis,
+                                                 const std::vector<identify::Mode>& modes,
                                                  const std::vector<identify::ModeClassification>& classifications);
 
 }  // namespace percuss::report

@@ -127,8 +127,7 @@ LineChart indicator_chart(const pipeline::Survey& survey) {
     chart.curves.push_back(std::move(curve));
   }
   for (std::size_t m = 0; m < survey.classifications().size(); ++m) {
-    chart.flags.push_back(
-        {.x = survey.analysis().modes()[m].pole.freq_Hz, .name = mode_name(survey.classifications()[m], m)});
+    chart.flags.push_back({.x = survey.modes()[m].pole.freq_Hz, .name = mode_name(survey.classifications()[m], m)});
   }
   return chart;
 }
@@ -154,7 +153,8 @@ std::vector<SvgFragment> survey_charts(const pipeline::Survey& survey, const std
   }
   if (wants("indicator") && possible) pieces.push_back(line_chart_fragment(indicator_chart(survey)));
   for (SvgFragment& piece : analysis_charts(
-           survey.analysis(), possible ? survey.classifications() : std::vector<identify::ModeClassification>(), names))
+           survey.analysis(), possible ? survey.classifications() : std::vector<identify::ModeClassification>(), names,
+           possible ? &survey.modes() : nullptr))
     pieces.push_back(std::move(piece));
   return pieces;
 }

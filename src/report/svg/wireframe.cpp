@@ -72,7 +72,7 @@ Wireframe wireframe(const pipeline::Survey& survey) {
   Wireframe frame{.mesh = plot_mesh(survey), .sensors = {}, .modes = {}};
   frame.sensors = sensors_of(survey, frame.mesh);
   for (std::size_t m = 0; m < survey.shapes().size(); ++m) {
-    const identify::Pole& pole = survey.analysis().modes()[m].pole;
+    const identify::Pole& pole = survey.modes()[m].pole;
     frame.modes.push_back({.name = mode_name(survey.classifications()[m], m),
                            .freq_Hz = pole.freq_Hz,
                            .damping_ratio = pole.damping_ratio,

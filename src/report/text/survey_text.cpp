@@ -24,7 +24,9 @@ std::string plane_cell(const std::optional<identify::TubeShape>& tube) {
 
 std::string note_cell(const identify::ModeClassification& classification) {
   std::string note;
-  if (classification.split_mode) {
+  if (classification.split_mode && classification.split_mode->separation_Hz == 0) {
+    note = "one of two modes at this frequency";
+  } else if (classification.split_mode) {
     note = fmt::format("split mode, {:.3g} Hz apart{}", classification.split_mode->separation_Hz,
                        classification.split_mode->quoted ? ": its frequency stands for the mode" : "");
   }
@@ -35,7 +37,7 @@ std::string note_cell(const identify::ModeClassification& classification) {
 }  // namespace
 
 TextTable survey_modes_table(const pipeline::Survey& survey) {
-  const auto& modes = survey.analysis().modes();
+  const auto& modes = survey.modes();
   const bool tube =
       std::any_of(survey.tubes().begin(), survey.tubes().end(), [](const auto& t) { return t.has_value(); });
   const bool mass = std::any_of(survey.shapes().begin(), survey.shapes().end(),

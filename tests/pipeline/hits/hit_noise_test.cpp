@@ -75,4 +75,14 @@ TEST_F(HitNoise, ConcernsAcceptedHitsThatDisagree) {
   EXPECT_THAT(found(), IsEmpty());
 }
 
+TEST_F(HitNoise, HitsOnNodeLinesExciteLittle) {
+  // Six hits at other points excite an energy of 100. A twentieth of that is a fault; a hundredth is a node line.
+  for (int h = 0; h < 6; ++h) add_hit(100, false);
+  for (const double energy : {5.0, 1.0, 100.0}) add_hit(energy);
+  add_hit(16);
+  hits_.back().hit.peak_N = 400;  // excites 1 at 100 N
+  found();
+  EXPECT_THAT(hits_on_node_lines(hits_, responses_), ElementsAre(7, 9));
+}
+
 }  // namespace percuss::pipeline::hit_noise_test
