@@ -200,8 +200,12 @@ std::vector<Warning> role_warnings(const acquire::Record& record, const std::vec
     std::string remedy = fmt::format("name {} as the force, and {}", response, accelerations_without(record, *hammer));
     // The units of the file belong to the roles that it states, and the reader refuses them for other roles.
     if (states_unit(record.force, Quantity::force) || states_unit(record.accel[*hammer], Quantity::acceleration)) {
-      warning.options.insert(warning.options.end(), {"force_unit", "unit"});
-      remedy += "; state the units, too, because those of the file belong to its own roles";
+      warning.options.insert(warning.options.end(), {"force_unit", "unit", "force_scale", "accel_scale"});
+      remedy +=
+          "; state the units, too, because those of the file belong to its own roles. If the plugs were exchanged, the "
+          "recorder scaled each signal with the sensitivity of the other sensor, and no unit is right: state the "
+          "scales "
+          "(N and m/s² per number of the file) instead";
     }
     return {with_remedy(std::move(warning), remedy)};
   }
