@@ -4,10 +4,13 @@
 #include <utility>
 
 #include "acquire/hits/finding.hpp"
+#include "acquire/hits/response_grade.hpp"
 #include "acquire/hits/time_selection.hpp"
+#include "core/parallel/parallel.hpp"
 #include "metrics/deflection/deflection.hpp"
 #include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/hits/motion_before.hpp"
+#include "pipeline/hits/response_clipping.hpp"
 #include "pipeline/impact_speed.hpp"
 
 namespace percuss::pipeline {
@@ -18,6 +21,12 @@ constexpr std::size_t kMinRestSamples = 16;
 // The rest before an impact gives the bias of the acceleration, whose double integral grows with the square of the
 // time. A longer rest may hold a drift that is no straight line.
 constexpr double kRest_s = 0.1;
+
+// The samples of an impact before its pulse, or before the motion where no pulse is known.
+std::size_t samples_before(const acquire::Hit& hit, double fs_Hz) {
+  if (!hit.gated_N.empty()) return hit.gate_first - std::min(hit.gate_first, hit.first);
+  return static_cast<std::size_t>(onset_from_first_sample_s(hit, fs_Hz) * fs_Hz);
+}
 
 }  // namespace
 
@@ -39,6 +48,26 @@ std::size_t impacts_without_pulse(const std::vector<AnalysedHit>& impacts, const
       ++count;
   }
   return count;
+}
+
+std::vector<std::size_t> clipped_samples_of(const acquire::Record& record, std::vector<AnalysedHit> impacts,
+                                            std::size_t threads) {
+  const std::size_t channels = record.accel.size();
+  for (AnalysedHit& impact : impacts) impact.responses.assign(channels, {});
+  parallel_for(impacts.size() * channels, threads, [&](std::size_t i) {
+    AnalysedHit& impact = impacts[i / channels];
+    std::vector<double> accel(impact.hit.samples);
+    record.read_accel_mps2(impact.hit.row, i % channels, impact.hit.first, accel);
+    impact.responses[i % channels] = acquire::grade_clipping(accel, samples_before(impact.hit, record.fs_Hz));
+  });
+  grade_repeated_clipping(impacts);
+  std::vector<std::size_t> clipped;
+  for (const AnalysedHit& impact : impacts) {
+    clipped.push_back(0);
+    for (const acquire::ResponseGrade& grade : impact.responses)
+      clipped.back() = std::max(clipped.back(), grade.clipped_samples);
+  }
+  return clipped;
 }
 
 std::vector<AnalysedHit> impacts_without_force(const acquire::Record& record) {

@@ -15,6 +15,11 @@ bool is_usable_impact(const AnalysedHit& hit, const AnalysisOptions& options, st
 /// The number of impacts that are left out although the user did not reject them.
 std::size_t impacts_without_pulse(const std::vector<AnalysedHit>& impacts, const AnalysisOptions& options);
 
+/// [impacts] The samples in which an acceleration is clipped after each impact, by the tests of grade_by_responses():
+/// the largest count of all channels.
+std::vector<std::size_t> clipped_samples_of(const acquire::Record& record, std::vector<AnalysedHit> impacts,
+                                            std::size_t threads);
+
 /// The impacts of a record without a force: each row is one. It begins when the first accelerometer begins to move.
 std::vector<AnalysedHit> impacts_without_force(const acquire::Record& record);
 
