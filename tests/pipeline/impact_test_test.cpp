@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "pipeline/impacts.hpp"
 #include "support/changed_record.hpp"
+#include "support/force_row.hpp"
 #include "support/messages.hpp"
 #include "support/modal_frfs.hpp"
 #include "support/record_samples.hpp"
@@ -108,6 +111,47 @@ TEST(ImpactTest, KeepsTheModalDeflectionOfAClippedImpact) {
   const double largest_mps2 = largest_of_the_second_blow();
   const ImpactTest test = deflection_of_clipped(largest_mps2 / 3, {}, true, metrics::DeflectionMethod::modal);
   EXPECT_THAT(deflected_hits(test), testing::ElementsAre(0, 1, 2));
+}
+
+// A ball strikes, and the hammer's channel holds noise: the deflections are the ones without a force.
+TEST(ImpactTest, TakesAnIdleForceForNone) {
+  const auto with_force = [](double noise_N) {
+    acquire::Record record = record_with_a_clipped_blow(1e9);
+    record.contiguous.clear();
+    record.read_force_N = [noise_N](std::size_t row, std::size_t first, std::span<double> out) {
+      std::vector<double> x(first + out.size());
+      test::add_noise(x, noise_N, row + 1);
+      std::copy_n(x.begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
+    };
+    return record;
+  };
+  const AnalysisOptions options{.band_Hz = std::pair{20.0, 1000.0}, .threads = 1};
+  const ImpactTest expected = deflection_of_clipped(1e9, {}, false);
+  for (const double noise_N : {0.0, 0.2}) {
+    const auto without = record_without_idle_force(Analysis(with_force(noise_N), options));
+    ASSERT_TRUE(without) << noise_N;
+    const ImpactTest test = deflect(Analysis(*without, options));
+    ASSERT_EQ(test.hits.size(), expected.hits.size());
+    for (std::size_t i = 0; i < test.hits.size(); ++i)
+      EXPECT_EQ(test.hits[i].deflection.peak_m, expected.hits[i].deflection.peak_m);
+    EXPECT_THAT(test::lines_of_messages(test.warnings),
+                testing::Contains(testing::StartsWith("input: force stays in its noise, while accel 1 responds")));
+  }
+  AnalysisOptions triggered = options;
+  triggered.hits.trigger_N = 5;
+  EXPECT_FALSE(record_without_idle_force(Analysis(with_force(0.2), triggered)));
+  EXPECT_FALSE(record_without_idle_force(Analysis(record_with_a_clipped_blow(1e9), options)));
+}
+
+// Without a motion, nothing shows an impact: a hammer that lost its cable is the likelier fault.
+TEST(ImpactTest, KeepsAnIdleForceWhereNothingMoves) {
+  acquire::Record record = test::with_changed_accel(record_with_a_clipped_blow(1e9),
+                                                    [](std::size_t row, std::size_t, std::vector<double>& x) {
+                                                      std::fill(x.begin(), x.end(), 0);
+                                                      test::add_noise(x, 0.1, row);
+                                                    });
+  record.read_force_N = acquire::no_force();
+  EXPECT_FALSE(record_without_idle_force(Analysis(std::move(record), {.threads = 1})));
 }
 
 }  // namespace percuss::pipeline::impact_test_test
