@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
 #include "core/io/counted_words.hpp"
 #include "pipeline/warnings/hit_list.hpp"
@@ -94,15 +95,18 @@ std::string list_of_clipped_impacts(const std::vector<DeflectionResults::Clipped
 
 void add_clipped(const DeflectionResults& test, std::vector<Warning>& out) {
   if (!test.clipped_left_out.empty()) {
+    const bool modal = test.has_force && test.clipped_left_out.size() < test.impacts;
+    const std::string by_modes =
+        modal ? "choose the method modal, which takes the modes of the other hits and the force of these; " : "";
     out.push_back(with_remedy(
         {"response_clipped",
          fmt::format("an acceleration is clipped in {}: left out, because the integrals miss the motion beyond the "
                      "limit and drift",
                      list_of_clipped_impacts(test.clipped_left_out)),
-         {"accept_hit"},
+         modal ? std::vector<OptionId>{"method", "accept_hit"} : std::vector<OptionId>{"accept_hit"},
          {},
          acquire::Severity::warn},
-        "raise the input range; to see such a deflection all the same, accept its hit"));
+        "raise the input range; " + by_modes + "to see such a deflection all the same, accept its hit"));
   }
   if (!test.clipped_used.empty()) {
     out.push_back(with_remedy(
