@@ -84,9 +84,9 @@ TEST_P(Roles, OfExchangedChannelsAreNamed) {
 TEST(RoleWarnings, AskForTheScalesOfExchangedPlugs) {
   const HammerTest test = samples_of("aluminium-bat");
   acquire::Record record = record_of(test.fs_Hz, test.accel, {test.force});
+  record.force.unit_assumed = record.accel[0].unit_assumed = true;
   EXPECT_THAT(messages_of(record), AllOf(kSwapped, Not(Contains(HasSubstr("sensitivity of the other sensor")))));
-  record.force.unit = "N";
-  record.accel[0].unit = "g";
+  record.force.unit_assumed = record.accel[0].unit_assumed = false;
   EXPECT_THAT(messages_of(record), Contains(AllOf(StartsWith("swapped_channels: accel 1 looks like the hammer"),
                                                   HasSubstr("scaled each signal with the sensitivity of the other "),
                                                   HasSubstr("state the scales"))));
