@@ -69,7 +69,8 @@ struct ImpactSpeed {
 };
 
 /// Copies share the results.
-/// Hits that Analysis rejects have a deflection too; hits without a pulse and hits in reject_hit have none.
+/// Hits that Analysis rejects have a deflection too. Hits without a pulse and hits in reject_hit have none, nor have
+/// hits with a clipped acceleration that are not in accept_hit, except by the modal method.
 /// errors  InputError, of the constructor: options that contradict each other, several runs (see Record::runs), samples
 ///         that cannot be read, no force or no mode where the options need them, another number of positions than of
 ///         points.

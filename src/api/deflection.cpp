@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "api/handles.hpp"
+#include "pipeline/impacts.hpp"
 #include "report/deflection_report.hpp"
 
 namespace percuss {
@@ -37,8 +38,11 @@ pipeline::ImpactTestOptions impact_options(const DeflectionOptions& options) {
 }
 
 std::shared_ptr<const DeflectionData> deflection_data(const Record& record, const DeflectionOptions& options) {
-  const std::shared_ptr<const AnalysisData> analysis(
-      new AnalysisData{pipeline::Analysis(record_of_one_run(record), analysis_options(options.analysis))});
+  const pipeline::AnalysisOptions analysis_of = analysis_options(options.analysis);
+  std::shared_ptr<const AnalysisData> analysis(
+      new AnalysisData{pipeline::Analysis(record_of_one_run(record), analysis_of)});
+  if (auto without_force = pipeline::record_without_idle_force(analysis->analysis))
+    analysis.reset(new AnalysisData{pipeline::Analysis(*std::move(without_force), analysis_of)});
   pipeline::ImpactTest test = pipeline::deflect(analysis->analysis, impact_options(options));
   return std::make_shared<const DeflectionData>(DeflectionData{analysis, std::move(test)});
 }

@@ -114,7 +114,9 @@ std::vector<Warning> Analysis::warnings_of_channels(const HitEvidence& evidence)
     const SensorDirections sensors{
         .angles_assumed = options_.classes.angles_assumed,
         .tube = classifications_.ready() ? tube_sensors(record(), classifications()) : std::nullopt};
-    append(out, channel_mode_warnings(record(), modes(), channel_findings(), force_known, sensors));
+    const std::vector<bool> responding =
+        force_known && responses_.ready() ? responding_channels(record(), graded, responses()) : std::vector<bool>{};
+    append(out, channel_mode_warnings(record(), modes(), channel_findings(), force_known, sensors, responding));
   }
   return out;
 }

@@ -13,8 +13,10 @@ namespace percuss::pipeline {
 struct TestImpacts {
   std::vector<AnalysedHit> all;
   std::vector<std::size_t> used;  // indices into `all`
-  std::vector<bool> moving;       // [used] whether the structure moves before the impact (moves_before())
-  bool rest_recorded = false;     // before each used impact (rest_recorded())
+  // [all] samples in which an acceleration is clipped; zeros for the modal method, which does not integrate them
+  std::vector<std::size_t> clipped_samples;
+  std::vector<bool> moving;    // [used] whether the structure moves before the impact (moves_before())
+  bool rest_recorded = false;  // before each used impact (rest_recorded())
 };
 
 /// The modes by which a channel responds to an impact at a point: {point, channel}.

@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "pipeline/hit_deflections.hpp"
+#include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/hits/motion_before.hpp"
 #include "pipeline/impact_speed.hpp"
 #include "pipeline/impacts.hpp"
@@ -106,10 +107,19 @@ void require_deflections(const acquire::Record& record, const ImpactTestOptions&
   }
 }
 
-TestImpacts impacts_of(const Analysis& analysis, const acquire::Record& record) {
+bool is_accepted_by_user(const AnalysisOptions& options, std::size_t hit) {
+  return names_hit(options.accept_hits, options.reject_hits, hit);
+}
+
+TestImpacts impacts_of(const Analysis& analysis, const acquire::Record& record, metrics::DeflectionMethod method) {
+  const AnalysisOptions& options = analysis.options();
   TestImpacts out{.all = record.has_force ? analysis.force_hits() : impacts_without_force(record)};
+  out.clipped_samples = method == metrics::DeflectionMethod::modal
+                            ? std::vector<std::size_t>(out.all.size())
+                            : clipped_samples_of(record, out.all, options.threads);
   for (std::size_t h = 0; h < out.all.size(); ++h) {
-    if (is_usable_impact(out.all[h], analysis.options(), h)) out.used.push_back(h);
+    const bool whole = out.clipped_samples[h] == 0 || is_accepted_by_user(options, h);
+    if (whole && is_usable_impact(out.all[h], options, h)) out.used.push_back(h);
   }
   out.rest_recorded = rest_recorded(record.fs_Hz, out.all, out.used);
   out.moving = moves_before(record, out.all, out.used, analysis.options().threads);
@@ -128,6 +138,11 @@ std::vector<Warning> warnings_of(const ImpactTest& test, const TestImpacts& impa
   for (std::size_t i = 0; i < impacts.used.size(); ++i) {
     if (impacts.moving[i]) results.moving.push_back(impacts.used[i]);
   }
+  for (std::size_t h = 0; h < impacts.all.size(); ++h) {
+    if (impacts.clipped_samples[h] == 0 || !is_usable_impact(impacts.all[h], analysis.options(), h)) continue;
+    const bool accepted = is_accepted_by_user(analysis.options(), h);
+    (accepted ? results.clipped_used : results.clipped_left_out).push_back({h, impacts.clipped_samples[h]});
+  }
   for (const DeflectedHit& hit : test.hits) results.deflections.push_back({hit.hit, &hit.deflection});
   std::vector<Warning> warnings = deflection_warnings(results);
   for (const auto& more : {input_warnings(closed.record), closed_gap_warnings(closed, impacts.all),
@@ -142,7 +157,7 @@ ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options) {
   const PositionOf position_of = positions(analysis, options);
   const acquire::Record& record = analysis.closed_gaps().record;
   require_deflections(record, options);
-  const TestImpacts impacts = impacts_of(analysis, record);
+  const TestImpacts impacts = impacts_of(analysis, record, options.deflection.method);
   const PlaceModes modes = modes_for_deflections(analysis, impacts, options.deflection);
   ImpactTest test{.speeds = impact_speeds(analysis, impacts.all, impacts.used, options)};
   const BudgetScope scope(analysis.budget());

@@ -1,9 +1,10 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "acquire/record/record.hpp"
-#include "pipeline/analysis_options.hpp"
+#include "pipeline/analysis.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
 
 namespace percuss::pipeline {
@@ -14,6 +15,16 @@ bool is_usable_impact(const AnalysedHit& hit, const AnalysisOptions& options, st
 
 /// The number of impacts that are left out although the user did not reject them.
 std::size_t impacts_without_pulse(const std::vector<AnalysedHit>& impacts, const AnalysisOptions& options);
+
+/// [impacts] The samples in which an acceleration is clipped after each impact, by the tests of grade_by_responses():
+/// the largest count of all channels.
+std::vector<std::size_t> clipped_samples_of(const acquire::Record& record, std::vector<AnalysedHit> impacts,
+                                            std::size_t threads);
+
+/// The record of `analysis` without its force, with a note that says so, where the force channel is idle: at every hit
+/// it stays within ten times its noise, while a response moves at one hit or more. A ball strikes without a hammer, and
+/// its deflections follow from the accelerations alone. Nothing for other records, and where the user states a trigger.
+std::optional<acquire::Record> record_without_idle_force(const Analysis& analysis);
 
 /// The impacts of a record without a force: each row is one. It begins when the first accelerometer begins to move.
 std::vector<AnalysedHit> impacts_without_force(const acquire::Record& record);

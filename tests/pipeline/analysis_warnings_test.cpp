@@ -86,6 +86,18 @@ TEST(Warnings, NameAChannelThatShowsNoMode) {
   EXPECT_THAT(warnings_of(good), Not(Contains(HasSubstr("shows none"))));
 }
 
+// A sensor across the blow sees no bending, but rings with the hoop mode above the band: it is not dead.
+TEST(Warnings, DoNotSuspectASensorAcrossTheBlow) {
+  synth::SynthSpec spec = test::bending_and_hoop_spec();
+  for (const auto& [freq_Hz, order] : {std::pair{600.0, 2}, std::pair{1200.0, 3}})
+    spec.modes.push_back({.freq_Hz = freq_Hz, .damping_ratio = 0.005, .order = order, .amplitude_per_sqrt_kg = 1.7});
+  spec.noise.accel = 1e-3;
+  const auto warnings = warnings_of(synth::synthesise(spec).record, band(60, 1500));
+  EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("unexcited_channel: accel 2 shows none of the 3 modes, although it "),
+                                       HasSubstr("a sensor across the blow sees no bending mode"))));
+  EXPECT_THAT(warnings, Not(Contains(HasSubstr("dead_channel"))));
+}
+
 // A loose cable at one point of a survey: the hits there do not disagree with the others, they show nothing.
 TEST(Warnings, NameAPointAtWhichASensorShowsNothing) {
   constexpr int kPoint = 7;

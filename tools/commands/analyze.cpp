@@ -97,7 +97,8 @@ void add_analyze(CommandLine& line) {
                   "Write the same as an HTML page and as a JSON document");
   command.example("percuss analyze bat.h5 --band 60:3200 --frf bat.frf.csv --modes-file bat.modes.csv",
                   "Write FRFs and modes as tables");
-  command.example("percuss analyze bat.h5 --only hits", "Check the hits only (fast; use it during a session)");
+  command.example("percuss analyze bat.h5 --only hits",
+                  "Check the force of the hits only (fast; use it during a session)");
   command.example("percuss analyze bat.h5 --reject-hit 3 --effort quick --json",
                   "Reject the third hit, fit quickly, and print a JSON document");
   command.example("percuss analyze frfs.h5", "Fit FRFs that another program measured or computed");
@@ -117,7 +118,10 @@ void add_analyze(CommandLine& line) {
              "Write the modes to this file: .csv with a row per mode, point and channel; .json; .uff, .unv")
       .type("FILE");
   command.heading(previous);
-  command.list("--only", flags->only, "Compute and report only these sections")
+  command
+      .list("--only", flags->only,
+            "Compute and report only these sections. hits alone: judge the hits by their force, without reading the "
+            "accelerations")
       .type("SECTION,...")
       .one_of({"hits", "frf", "coherence", "modes", "classes", "deflection"});
   command.list("--picture", flags->pictures, "Draw these pictures in a .svg file")

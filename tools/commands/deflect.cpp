@@ -15,6 +15,7 @@
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
 #include "pipeline/impact_test.hpp"
+#include "pipeline/impacts.hpp"
 #include "report/deflection_report.hpp"
 #include "report/svg/deflection_chart.hpp"
 
@@ -46,8 +47,11 @@ std::unique_ptr<pipeline::Analysis> analysis_of(const DeflectFlags& flags) {
   }
   ReadFlags read = flags.read;
   read.options.force_optional = true;
-  return std::make_unique<pipeline::Analysis>(acquire::join_records(open_records(read), read.files),
-                                              analysis_options(flags.analysis));
+  const pipeline::AnalysisOptions options = analysis_options(flags.analysis);
+  auto analysis = std::make_unique<pipeline::Analysis>(acquire::join_records(open_records(read), read.files), options);
+  if (auto without_force = pipeline::record_without_idle_force(*analysis))
+    analysis = std::make_unique<pipeline::Analysis>(*std::move(without_force), options);
+  return analysis;
 }
 
 void check_deflection_outputs(const OutputFlags& output) {

@@ -67,6 +67,11 @@ void grade_end(ResponseGrade& grade, const Hit& hit, std::span<const double> acc
   grade.truncated = grade.end_level_dB > kDecayed_dB && above_noise;
 }
 
+// The level before the impact, or at the end where no sample precedes it.
+double resting_level(std::span<const double> quiet, std::span<const double> accel) {
+  return quiet.empty() ? level_at_end(accel) : spread_of(subsampled(quiet, kQuietSamples)).median;
+}
+
 // White noise with these second differences has this rms. Motion well below half the sampling rate adds little to it.
 double rms_of_white_noise(std::span<const double> x) {
   double sum = 0;
@@ -177,23 +182,30 @@ double finest_change(std::span<const double> accel) {
 
 }  // namespace
 
-ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz) {
+ResponseGrade grade_clipping(std::span<const double> accel_mps2, std::size_t quiet) {
   ResponseGrade grade;
-  if (hit.gated_N.empty() || accel_mps2.size() <= hit.peak - hit.first) return grade;
+  if (accel_mps2.empty()) return grade;
   const std::vector<Extremes> blocks = block_extremes(accel_mps2, kClippingBlock);
-  const Extremes extremes = extremes_of(blocks);
-  grade.extremes = extremes;
+  grade.extremes = extremes_of(blocks);
   grade.resolution = finest_change(accel_mps2);
-  grade.dead = extremes.low == extremes.high;
+  grade.dead = grade.extremes.low == grade.extremes.high;
+  if (grade.dead) return grade;
+  const auto before = accel_mps2.first(std::min(quiet, accel_mps2.size()));
+  grade.clipped_samples = count_clipped_samples(accel_mps2, blocks, accel_mps2, resting_level(before, accel_mps2));
+  return grade;
+}
+
+ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz) {
+  if (hit.gated_N.empty() || accel_mps2.size() <= hit.peak - hit.first) return {};
+  ResponseGrade grade = grade_clipping(accel_mps2, quiet_samples(hit, accel_mps2.size()));
   if (grade.dead) return grade;
   const auto quiet = quiet_part(hit, accel_mps2);
   const Spread before = spread_of(subsampled(quiet, kQuietSamples));
-  const double resting = quiet.empty() ? level_at_end(accel_mps2) : before.median;
-  grade.clipped_samples = count_clipped_samples(accel_mps2, blocks, accel_mps2, resting);
   grade_before(grade, hit, accel_mps2);
   grade_end(grade, hit, accel_mps2);
+  const Extremes extremes = grade.extremes;
   grade_onset(grade, hit, accel_mps2, extremes, before, fs_Hz);
-  grade.coarse_step = coarse_step(accel_mps2, extremes.max_distance_from(resting));
+  grade.coarse_step = coarse_step(accel_mps2, extremes.max_distance_from(resting_level(quiet, accel_mps2)));
   return grade;
 }
 

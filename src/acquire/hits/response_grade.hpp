@@ -28,6 +28,10 @@ struct ResponseGrade {
 /// Grades the samples of one channel, which begin at the first sample of the hit.
 ResponseGrade grade_response(const Hit& hit, std::span<const double> accel_mps2, double fs_Hz);
 
+/// The part of a grade that tells of clipping: extremes, resolution, dead and clipped_samples. The first `quiet`
+/// samples precede the impact.
+ResponseGrade grade_clipping(std::span<const double> accel_mps2, std::size_t quiet);
+
 /// Samples first … first + count − 1 of a hit's response.
 using SampleWindow = std::function<std::span<const double>(std::size_t first, std::size_t count)>;
 

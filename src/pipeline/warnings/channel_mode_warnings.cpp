@@ -24,6 +24,7 @@ constexpr double kUnitSpread = 5;          // largest factor between residues at
 constexpr double kMaxSpeed_mps = 50;       // ten times the speed of a hammer swung by hand
 constexpr double kSameMotion = 0.98;       // of ChannelPair::correlation
 constexpr double kSameRatio = 1.1;         // of ChannelPair::spread: sensors at one place; bending and hoop differ more
+constexpr double kSameSize = 3;            // of ChannelPair::ratio: signals of one motion differ by gains alone
 constexpr double kOppositeMotion = -0.95;  // of ChannelPair::correlation
 constexpr double kOwnPlace_rad = std::numbers::pi / 6;  // sensors with a larger angle between them move differently
 
@@ -152,6 +153,12 @@ std::optional<double> angle_between(const acquire::Record& record, const Channel
   return std::abs(std::remainder(*first - *second, kTwoPi));
 }
 
+// Whether one motion explains both signals. Bending modes alone have one ratio, too: the tangent of the angle between
+// the blow and the first sensor. A sensor nearly across the blow is much weaker than the other.
+bool shows_same_motion(const ChannelPair& pair) {
+  return pair.correlation > kSameMotion && pair.spread < kSameRatio && std::max(pair.ratio, 1 / pair.ratio) < kSameSize;
+}
+
 std::vector<Warning> directions(const acquire::Record& record, const std::vector<ChannelPair>& pairs,
                                 const SensorDirections& sensors) {
   std::vector<Warning> out;
@@ -169,23 +176,26 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
            {"setup", "accel_scale"}},
           R"(check which way the sensors point, and state "sign": -1 for the reversed one in the set-up, or a )"
           "negative scale"));
-    } else if (pair.correlation > kSameMotion && pair.spread < kSameRatio && angle_rad && *angle_rad > kOwnPlace_rad) {
+    } else if (shows_same_motion(pair) && angle_rad && *angle_rad > kOwnPlace_rad) {
       out.push_back(with_remedy(
           {"same_motion",
-           fmt::format("{} and {} show the same motion in all {} modes, but their stated angles are {:.0f}° apart: an "
-                       "angle is wrong, or one signal was recorded twice. Bending and hoop are not distinguished then",
-                       sensor_name(record.accel, pair.first), sensor_name(record.accel, pair.second), pair.modes,
-                       *angle_rad * kRadian_deg),
+           fmt::format(
+               "{} and {} show the same motion in all {} modes, but their stated angles are {:.0f}° apart. So do "
+               "bending modes alone, struck between the sensors. Otherwise an angle is wrong, or one signal "
+               "was recorded twice, and bending and hoop are not distinguished",
+               sensor_name(record.accel, pair.first), sensor_name(record.accel, pair.second), pair.modes,
+               *angle_rad * kRadian_deg),
            {"angle"}},
-          "state the angle of each sensor"));
+          "if the band holds hoop modes, too, state the angle of each sensor"));
     }
   }
   return out;
 }
 
 // Each channel whose residues of all modes are within their noise, beside one that shows them. It does not respond, or
-// it lies at a node of all modes; few modes may have a node in common.
-std::vector<Warning> silent_channels(const acquire::Record& record, const std::vector<identify::Mode>& modes) {
+// it lies across the motion of these modes or at a node of all; few modes may have a node in common.
+std::vector<Warning> silent_channels(const acquire::Record& record, const std::vector<identify::Mode>& modes,
+                                     const std::vector<bool>& responding) {
   if (modes.size() < kManyModes) return {};
   std::vector<double> clearest(record.accel.size());
   for (const identify::Mode& mode : modes) {
@@ -198,6 +208,15 @@ std::vector<Warning> silent_channels(const acquire::Record& record, const std::v
   std::vector<Warning> out;
   for (std::size_t c = 0; any && c < clearest.size(); ++c) {
     if (!(clearest[c] > 0 && clearest[c] < kNoResidue)) continue;
+    if (c < responding.size() && responding[c]) {
+      out.push_back(with_remedy(
+          {"unexcited_channel",
+           fmt::format("{} shows none of the {} modes, although it responds to the hits: a sensor across the blow sees "
+                       "no bending mode, only modes outside the band",
+                       sensor_name(record.accel, c), modes.size())},
+          "if it does not lie across the blow, check its mounting and its cable"));
+      continue;
+    }
     out.push_back(with_remedy(
         {"dead_channel",
          fmt::format("{} shows none of the {} modes: its residues are within {:.0f} standard deviations of zero. If it "
@@ -229,15 +248,15 @@ std::vector<Warning> mass_loading_warnings(const std::vector<identify::Mode>& mo
 
 std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const std::vector<identify::Mode>& modes,
                                            const ChannelFindings& findings, bool correctable,
-                                           const SensorDirections& sensors) {
+                                           const SensorDirections& sensors, const std::vector<bool>& responding) {
   // A different clock also causes delays. Only the clock is then reported.
   const bool own_clock = std::any_of(findings.clocks.begin(), findings.clocks.end(),
                                      [](const ChannelClock& clock) { return clock.established(); });
   std::vector<Warning> out;
   if (!own_clock) out = skew(record, modes, findings.delays, correctable);
-  for (const auto& more :
-       {corrected_skew(record, modes, findings.corrected_delays), clocks(record, findings.clocks),
-        units(record, findings, sensors), directions(record, findings.pairs, sensors), silent_channels(record, modes)})
+  for (const auto& more : {corrected_skew(record, modes, findings.corrected_delays), clocks(record, findings.clocks),
+                           units(record, findings, sensors), directions(record, findings.pairs, sensors),
+                           silent_channels(record, modes, responding)})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

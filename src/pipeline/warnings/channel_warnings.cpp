@@ -57,6 +57,15 @@ std::optional<double> height_over_noise(const HitResponses& responses, std::size
   return response.grade.extremes.max_distance_from(*response.rest.before) / response.rest.noise;
 }
 
+// Whether the channel clearly responds to these hits, in the median.
+bool responds(const std::vector<std::size_t>& hits, const HitResponses& responses, std::size_t channel) {
+  std::vector<double> heights;
+  for (const std::size_t h : hits) {
+    if (const auto height = height_over_noise(responses, h, channel)) heights.push_back(*height);
+  }
+  return !heights.empty() && median(heights) >= kClearHeight;
+}
+
 // Whether none of these hits moves the channel above the noise before the hit.
 bool stays_in_noise(const std::vector<std::size_t>& hits, const HitResponses& responses, std::size_t channel) {
   return !hits.empty() && std::all_of(hits.begin(), hits.end(), [&](std::size_t h) {
@@ -141,6 +150,13 @@ std::vector<Warning> silent_response_warnings(const acquire::Record& record, con
   return out;
 }
 
+std::vector<bool> responding_channels(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                      const HitResponses& responses) {
+  std::vector<bool> out;
+  for (std::size_t c = 0; c < record.accel.size(); ++c) out.push_back(responds(accepted_hits(hits), responses, c));
+  return out;
+}
+
 std::vector<SilentPoint> silent_points(const std::vector<AnalysedHit>& hits, const HitResponses& responses) {
   std::map<int, std::vector<std::size_t>> points;
   std::size_t channels = 0;
@@ -151,11 +167,7 @@ std::vector<SilentPoint> silent_points(const std::vector<AnalysedHit>& hits, con
   std::vector<SilentPoint> out;
   if (points.size() < kMinPoints) return out;
   for (std::size_t c = 0; c < channels; ++c) {
-    std::vector<double> heights;
-    for (const std::size_t h : accepted_hits(hits)) {
-      if (const auto height = height_over_noise(responses, h, c)) heights.push_back(*height);
-    }
-    if (heights.empty() || median(heights) < kClearHeight) continue;
+    if (!responds(accepted_hits(hits), responses, c)) continue;
     for (const auto& [point, of_point] : points) {
       if (stays_in_noise(of_point, responses, c)) out.push_back({.point = point, .channel = c, .hits = of_point});
     }

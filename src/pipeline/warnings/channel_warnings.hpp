@@ -26,6 +26,12 @@ std::vector<Warning> channel_warnings(const acquire::Record& record, const std::
 std::vector<Warning> silent_response_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                               const HitResponses& responses);
 
+/// [channels] Whether each channel clearly responds: its largest sample is, in the median over the accepted hits, at
+/// least 30 standard deviations of the noise before the hit. False where too few samples before the hits determine the
+/// noise.
+std::vector<bool> responding_channels(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                      const HitResponses& responses);
+
 /// A channel that stays in its noise at all accepted hits of one point.
 struct SilentPoint {
   int point = 0;

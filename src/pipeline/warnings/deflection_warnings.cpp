@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
+#include "core/io/counted_words.hpp"
 #include "pipeline/warnings/hit_list.hpp"
 
 namespace percuss::pipeline {
@@ -83,6 +85,39 @@ void add_moving(const DeflectionResults& test, std::vector<Warning>& out) {
   }
 }
 
+// "hit 2 (227 samples), hit 5 (1 sample)"
+std::string list_of_clipped_impacts(const std::vector<DeflectionResults::ClippedImpact>& impacts) {
+  constexpr std::size_t kMaxListed = 8;
+  return limited_list(impacts.size(), kMaxListed, [&](std::size_t i) {
+    return fmt::format("hit {} ({} sample{})", impacts[i].hit + 1, impacts[i].samples, plural(impacts[i].samples));
+  });
+}
+
+void add_clipped(const DeflectionResults& test, std::vector<Warning>& out) {
+  if (!test.clipped_left_out.empty()) {
+    const bool modal = test.has_force && test.clipped_left_out.size() < test.impacts;
+    const std::string by_modes =
+        modal ? "choose the method modal, which takes the modes of the other hits and the force of these; " : "";
+    out.push_back(with_remedy(
+        {"response_clipped",
+         fmt::format("an acceleration is clipped in {}: left out, because the integrals miss the motion beyond the "
+                     "limit and drift",
+                     list_of_clipped_impacts(test.clipped_left_out)),
+         modal ? std::vector<OptionId>{"method", "accept_hit"} : std::vector<OptionId>{"accept_hit"},
+         {},
+         acquire::Severity::warn},
+        "raise the input range; " + by_modes + "to see such a deflection all the same, accept its hit"));
+  }
+  if (!test.clipped_used.empty()) {
+    out.push_back(with_remedy(
+        {"response_clipped",
+         fmt::format("an acceleration is clipped in {}, accepted by the user: the deflection is off by far more than "
+                     "its ±",
+                     list_of_clipped_impacts(test.clipped_used))},
+        "raise the input range"));
+  }
+}
+
 }  // namespace
 
 std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
@@ -92,6 +127,7 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
         {"no_pulse", fmt::format("{} of {} hits show no impact and are left out", test.without_pulse, test.impacts)},
         "check the cables and the channels of these hits"));
   }
+  add_clipped(test, out);
   if (!test.rest_recorded) {
     out.push_back(with_remedy(
         {"no_rest", "a record begins too late to contain the rest before the impact, from which the bias is estimated"},

@@ -15,6 +15,11 @@ struct DeflectionResults {
   bool has_force = false;                      // recorded
   bool mass_known = false;                     // the effective mass, as stated by the user
   std::vector<std::size_t> moving{};           // hits before which the structure moves
+  // Impacts with a clipped acceleration: left out, or used because the user accepts them.
+  struct ClippedImpact {
+    std::size_t hit = 0, samples = 0;  // at the limit
+  };
+  std::vector<ClippedImpact> clipped_left_out{}, clipped_used{};
   struct OfHit {
     std::size_t hit = 0;
     const metrics::Deflection* deflection = nullptr;
@@ -22,7 +27,7 @@ struct DeflectionResults {
   std::vector<OfHit> deflections{};
 };
 
-/// no_pulse, no_rest, not_at_rest, earlier_ringing, not_told, larger_later, modes_alone, drift.
+/// no_pulse, response_clipped, no_rest, not_at_rest, earlier_ringing, not_told, larger_later, modes_alone, drift.
 std::vector<Warning> deflection_warnings(const DeflectionResults& test);
 
 }  // namespace percuss::pipeline

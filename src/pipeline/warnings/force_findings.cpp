@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "core/io/counted_words.hpp"
 #include "core/math/complex.hpp"
 #include "core/math/statistics.hpp"
 #include "core/units.hpp"
@@ -94,21 +95,23 @@ double spread_of_logs(const std::vector<double>& values) {
 // A positive or negative side of a channel at one point: the chance that its extremes are that equal.
 struct LevelSide {
   std::size_t channel = 0;
-  double chance = 1, level = 0, spread = 0, force_spread = 0;
+  double chance = 1, level = 0, spread = 0;
+  double least_peak_N = 0, largest_peak_N = 0;  // of the forces
 };
 
 LevelSide side_of(std::size_t channel, const std::vector<double>& extremes, const std::vector<double>& forces,
                   double min_force_spread) {
   LevelSide side{.channel = channel, .level = median(extremes)};
   side.spread = spread_of_logs(extremes);
-  side.force_spread = spread_of_logs(forces);
   std::vector<double> ratios;
   for (std::size_t i = 0; i < forces.size(); ++i) ratios.push_back(extremes[i] / forces[i]);
   const double of_ratio = spread_of_logs(ratios);
-  if (side.spread < kMaxLevelSpread && side.force_spread > min_force_spread && of_ratio > side.spread)
+  if (side.spread < kMaxLevelSpread && spread_of_logs(forces) > min_force_spread && of_ratio > side.spread)
     side.chance = std::pow(side.spread / of_ratio, static_cast<double>(extremes.size() - 1));
   return side;
 }
+
+constexpr std::size_t kPeak = 0;  // index of the peak among the measures of a blow
 
 // [measures] The size of a blow: its peak and its impulse. A harder blow may be shorter: where the impulses are equal,
 // so may be the responses.
@@ -125,7 +128,7 @@ LevelSide likeliest_side_of(std::size_t channel, const std::vector<double>& extr
     std::vector<double> forces;
     for (const std::vector<double>& of_hit : sizes) forces.push_back(of_hit[measure]);
     if (std::any_of(forces.begin(), forces.end(), [](double value) { return !(value > 0); })) continue;
-    const LevelSide side = side_of(channel, extremes, forces, measure == 0 ? kMinForceSpread : 0);
+    const LevelSide side = side_of(channel, extremes, forces, measure == kPeak ? kMinForceSpread : 0);
     if (!likeliest || side.chance > likeliest->chance) likeliest = side;
   }
   return likeliest.value_or(LevelSide{.channel = channel});
@@ -137,6 +140,7 @@ std::vector<LevelSide> sides_of(const std::vector<AnalysedHit>& hits, const HitR
   for (std::size_t h = 0; h < hits.size(); ++h) {
     if (hits[h].responses.size() == channels && responses.of[h].size() == channels) points[hits[h].point].push_back(h);
   }
+  const auto peak_of = [](const std::vector<double>& measures) { return measures[kPeak]; };
   std::vector<LevelSide> sides;
   for (const auto& [point, members] : points) {
     if (members.size() < kMinSameLevel) continue;
@@ -151,10 +155,79 @@ std::vector<LevelSide> sides_of(const std::vector<AnalysedHit>& hits, const HitR
         extremes.push_back(s % 2 == 0 ? response.grade.extremes.high - rest : rest - response.grade.extremes.low);
         clear = clear && extremes.back() > kMinLevel * response.rest.noise;
       }
-      if (clear) sides.push_back(likeliest_side_of(s / 2, extremes, sizes));
+      if (!clear) continue;
+      LevelSide side = likeliest_side_of(s / 2, extremes, sizes);
+      side.least_peak_N = std::ranges::min(sizes, {}, peak_of)[kPeak];
+      side.largest_peak_N = std::ranges::max(sizes, {}, peak_of)[kPeak];
+      sides.push_back(side);
     }
   }
   return sides;
+}
+
+// A channel whose extremes are a limit, and this limit.
+struct ClippedChannel {
+  std::size_t channel = 0;
+  double level_mps2 = 0;
+};
+
+// The channels that the recorder clips: samples at the limit follow each other, unlike those of a clipped signal that a
+// filter has rounded.
+std::vector<ClippedChannel> flat_channels(const std::vector<AnalysedHit>& hits, std::size_t channels) {
+  std::vector<ClippedChannel> out;
+  for (std::size_t c = 0; c < channels; ++c) {
+    double level = 0;
+    for (const AnalysedHit& hit : hits) {
+      if (hit.responses.size() == channels && hit.responses[c].clipped_samples > 0)
+        level = std::max(level, hit.responses[c].extremes.max_distance_from(0));
+    }
+    if (level > 0) out.push_back({c, level});
+  }
+  return out;
+}
+
+// Whether the samples show clipping of these sides' channels in most hits.
+bool flat_in_most_hits(const std::vector<AnalysedHit>& hits, const std::vector<LevelSide>& sides) {
+  std::size_t graded = 0, flat = 0;
+  for (const AnalysedHit& hit : hits) {
+    if (hit.responses.empty()) continue;
+    ++graded;
+    if (std::any_of(sides.begin(), sides.end(),
+                    [&](const LevelSide& side) { return hit.responses[side.channel].clipped_samples > 0; }))
+      ++flat;
+  }
+  return 2 * flat > graded;
+}
+
+// The channels of these sides, ascending, each with the level of its clearest side.
+std::vector<ClippedChannel> channels_of(const std::vector<LevelSide>& sides) {
+  std::map<std::size_t, double> levels;
+  for (const LevelSide& side : sides) levels.emplace(side.channel, side.level);
+  std::vector<ClippedChannel> out;
+  for (const auto& [channel, level] : levels) out.push_back({channel, level});
+  return out;
+}
+
+// "accel 1 (1500 m/s²), accel 2 (1500 m/s²)"
+std::string list_of_clipped(const std::vector<ClippedChannel>& clipped, const acquire::Record& record) {
+  constexpr std::size_t kMaxListed = 8;
+  return limited_list(clipped.size(), kMaxListed, [&](std::size_t i) {
+    return fmt::format("{} ({:.4g} m/s²)", one_line(record.accel[clipped[i].channel].name, kMaxNameBytes),
+                       clipped[i].level_mps2);
+  });
+}
+
+Warning flat_top_warning(const std::vector<ClippedChannel>& clipped, const std::vector<AnalysedHit>& hits,
+                         const acquire::Record& record) {
+  const auto concerned = std::count_if(hits.begin(), hits.end(), [](const AnalysedHit& hit) {
+    return std::any_of(hit.responses.begin(), hit.responses.end(),
+                       [](const acquire::ResponseGrade& response) { return response.clipped_samples > 0; });
+  });
+  return with_remedy({"response_clipped",
+                      fmt::format("the recorder clips {} in {} of {} hits: samples lie at its limit. Residues, damping "
+                                  "and frequencies of these hits are off by more than their ±",
+                                  list_of_clipped(clipped, record), concerned, hits.size())},
+                     "raise the input range, or strike more softly");
 }
 
 bool equal_pulses(const acquire::Hit& a, const acquire::Hit& b) {
@@ -222,15 +295,21 @@ std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, c
     clipped = k + 1;
   }
   if (clipped == 0 || least > kMaxLevelChance) return {};
-  const LevelSide& clearest = sides.front();
+  sides.resize(clipped);
+  const std::vector<ClippedChannel> flat = flat_channels(hits, record.accel.size());
+  if (flat_in_most_hits(hits, sides)) return {flat_top_warning(flat, hits, record)};
+  const std::vector<ClippedChannel> rounded = channels_of(sides);
+  const bool one = rounded.size() == 1;
+  const LevelSide& widest = *std::max_element(
+      sides.begin(), sides.end(), [](const LevelSide& a, const LevelSide& b) { return a.spread < b.spread; });
   return {with_remedy(
       {"response_clipped",
-       fmt::format(
-           "{} reaches {:.4g} m/s² in every hit of a point, within {:.2g} %, although the forces differ by {:.0f} %: "
-           "its amplifier clips before the recorder's filter, which rounds the tops. Residues, damping and "
-           "frequencies are off by more than their ±",
-           one_line(record.accel[clearest.channel].name, kMaxNameBytes), clearest.level, 100 * clearest.spread,
-           100 * clearest.force_spread)},
+       fmt::format("{} reach{} nearly the same largest value{} in every hit of a point, within {:.2g} %, although the "
+                   "forces range from {:.4g} to {:.4g} N: {} clip{} before the recorder's filter, which rounds the "
+                   "tops. Residues, damping and frequencies are off by more than their ±",
+                   list_of_clipped(rounded, record), one ? "es" : "", one ? "" : "s", 100 * widest.spread,
+                   widest.least_peak_N, widest.largest_peak_N, one ? "its amplifier" : "their amplifiers",
+                   one ? "s" : "")},
       "lower the gain, use a sensor of larger range, or strike more softly")};
 }
 

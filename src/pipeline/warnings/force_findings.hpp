@@ -12,8 +12,9 @@ namespace percuss::pipeline {
 std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                        const HitResponses& responses);
 
-/// `response_clipped`: extremes of a response that are equal from hit to hit while the forces differ, although no two
-/// samples are equal: the signal was clipped before the recorder's filter.
+/// `response_clipped`: extremes of responses that are equal from hit to hit while the forces differ. Where most hits
+/// show flat tops (ResponseGrade::clipped_samples), the recorder clips. Otherwise the signal was clipped before the
+/// recorder's filter.
 std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                                 const HitResponses& responses);
 

@@ -109,6 +109,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"capture_ended", Severity::info},
     {"rejected_live", Severity::info},
     {"earlier_ringing", Severity::info},
+    {"unexcited_channel", Severity::info},
     {"rejected_hits", Severity::info},
     {"one_hit_each", Severity::info},
     {"below_band", Severity::info},

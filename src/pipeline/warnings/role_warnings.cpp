@@ -15,6 +15,7 @@
 #include "core/error.hpp"
 #include "core/math/statistics.hpp"
 #include "core/units.hpp"
+#include "pipeline/hits/responding_channel.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -30,9 +31,6 @@ constexpr double kMinRinging = 10;      // mean square of the force after the pu
 constexpr std::size_t kMinBefore = 16;  // samples before the pulse that show the noise
 constexpr std::size_t kFinalPart = 10;  // the last tenth of a row shows its final level, at most kMaxFinal samples
 constexpr std::size_t kMaxFinal = 4096;
-constexpr std::size_t kBlocks = 64;                      // of a row, whose levels show whether a channel responds
-constexpr std::size_t kMaxRead = std::size_t{1} << 20U;  // samples of a row that are read for these blocks
-constexpr double kMinResponseRatio = 10;                 // rms of the loudest block over the rms of the quietest block
 
 bool lacks_pulse(const AnalysedHit& hit) {
   return !hit.accepted && !hit.by_user && acquire::has_finding(hit.hit.findings, acquire::FindingCode::no_pulse);
@@ -138,25 +136,6 @@ double hammer_share(const acquire::Record& record, std::size_t channel, const ac
   return examined > 0 ? static_cast<double>(hammers) / static_cast<double>(examined) : 0;
 }
 
-// The first response that moves in the row of a hit.
-std::optional<std::size_t> responding_channel(const acquire::Record& record, const acquire::Hit& hit) {
-  std::vector<double> x(std::min(hit.samples, kMaxRead));
-  for (std::size_t c = 0; c < record.accel.size() && x.size() >= kBlocks; ++c) {
-    record.read_accel_mps2(hit.row, c, hit.first, x);
-    const double rest = median(x);
-    for (double& value : x) value -= rest;
-    double loudest = 0, quietest = std::numeric_limits<double>::infinity();
-    for (std::size_t b = 0; b < kBlocks; ++b) {
-      const std::size_t first = b * x.size() / kBlocks, end = (b + 1) * x.size() / kBlocks;
-      const double level = mean_square(std::span<const double>(x).subspan(first, end - first));
-      loudest = std::max(loudest, level);
-      quietest = std::min(quietest, level);
-    }
-    if (loudest > kMinResponseRatio * kMinResponseRatio * quietest) return c;
-  }
-  return std::nullopt;
-}
-
 bool states_unit(const acquire::SignalInfo& signal, Quantity quantity) {
   const auto unit = parse_unit(signal.unit);
   return !signal.unit_assumed && unit && unit->quantity == quantity;
@@ -200,8 +179,12 @@ std::vector<Warning> role_warnings(const acquire::Record& record, const std::vec
     std::string remedy = fmt::format("name {} as the force, and {}", response, accelerations_without(record, *hammer));
     // The units of the file belong to the roles that it states, and the reader refuses them for other roles.
     if (states_unit(record.force, Quantity::force) || states_unit(record.accel[*hammer], Quantity::acceleration)) {
-      warning.options.insert(warning.options.end(), {"force_unit", "unit"});
-      remedy += "; state the units, too, because those of the file belong to its own roles";
+      warning.options.insert(warning.options.end(), {"force_unit", "unit", "force_scale", "accel_scale"});
+      remedy +=
+          "; state the units, too, because those of the file belong to its own roles. If the plugs were exchanged, the "
+          "recorder scaled each signal with the sensitivity of the other sensor, and no unit is right: state the "
+          "scales "
+          "(N and m/s² per number of the file) instead";
     }
     return {with_remedy(std::move(warning), remedy)};
   }

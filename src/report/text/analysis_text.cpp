@@ -79,6 +79,18 @@ std::string per_hit_text(const pipeline::Analysis& analysis, std::size_t width) 
   return table.text(width);
 }
 
+std::string written(const Message& message, const TextOptions& options) {
+  const std::string words = options.write_option != nullptr ? message.written(options.write_option) : message.text;
+  return wrapped(words, options.width, 2);
+}
+
+Message judged_by_force() {
+  return {
+      "hits are judged by their force alone: the accelerations were not read and may be clipped; add a section, "
+      "such as frf, to judge both",
+      {"only"}};
+}
+
 std::string spaced(const std::string& text) { return text.empty() ? text : text + '\n'; }
 
 }  // namespace
@@ -99,6 +111,7 @@ std::string analysis_text(const pipeline::Analysis& analysis, const TextOptions&
   std::string text = heading(analysis, hits.size(), options.width) + "\n";
   const bool has_hits = analysis.given_frfs() == nullptr;
   if (wants(ReportSection::hits) && has_hits) text += hits_text(analysis, hits, options.width) + "\n";
+  if (force_only && has_hits && !hits.empty()) text += written(judged_by_force(), options) + "\n\n";
   if (wants(ReportSection::hits) && !force_only && has_hits) text += spaced(responses_text(analysis, options.width));
   if (analysis.possible()) {
     const bool frfs = wants(ReportSection::frf) || wants(ReportSection::coherence);
@@ -112,9 +125,7 @@ std::string analysis_text(const pipeline::Analysis& analysis, const TextOptions&
     if (modes) text += modes_text(analysis, wants(ReportSection::classes), options.width) + "\n";
     if (options.per_hit) text += per_hit_text(analysis, options.width) + "\n";
   } else {
-    const Message result = no_usable_hit(hits);
-    const std::string words = options.write_option != nullptr ? result.written(options.write_option) : result.text;
-    text += wrapped(words, options.width, 2) + "\n\n";
+    text += written(no_usable_hit(hits), options) + "\n\n";
   }
   if (options.warnings) text += warnings_text(analysis.warnings()).text(options.width, options.write_option);
   while (text.ends_with("\n\n")) text.pop_back();

@@ -24,6 +24,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
+using testing::StartsWith;
 
 constexpr std::size_t kDecay = 1300;  // a sample of each row, well within the decay
 constexpr double kRate_Hz = 8192;
@@ -108,7 +109,20 @@ TEST(RecordFindings, NameAnAmplifierThatClips) {
   AnalysisOptions options = band();
   options.modes.effort = identify::Effort::quick;  // the warning does not depend on the modes of the clipped signal
   const Analysis analysis(test::with_changed_accel(synth::synthesise(tube()).record, clip), options);
-  EXPECT_THAT(codes_of(analysis), Contains("response_clipped"));
+  analysis.modes();
+  EXPECT_THAT(test::lines_of_messages(analysis.warnings()),
+              Contains(AllOf(StartsWith("response_clipped: accel 1 ("), HasSubstr("its amplifier clips before"))));
+}
+
+// Flat tops at the recorder's limit are no fault of an amplifier. All clipped channels are named.
+TEST(RecordFindings, NameARecorderThatClipsAllChannels) {
+  const auto clip = [](std::size_t, std::size_t, std::vector<double>& x) {
+    for (double& value : x) value = std::clamp(value, -300.0, 300.0);
+  };
+  const Analysis analysis(test::with_changed_accel(synth::synthesise(tube()).record, clip), band());
+  analysis.hits();
+  EXPECT_THAT(test::lines_of_messages(analysis.warnings()),
+              Contains(StartsWith("response_clipped: the recorder clips accel 1 (300 m/s²), accel 2 (300 m/s²) in ")));
 }
 
 // The hits cannot be told to differ: their responses are noise.

@@ -80,6 +80,18 @@ TEST_P(Roles, OfExchangedChannelsAreNamed) {
   }
 }
 
+// Exchanged plugs also exchange the sensitivities that the recorder used: no unit makes up for that.
+TEST(RoleWarnings, AskForTheScalesOfExchangedPlugs) {
+  const HammerTest test = samples_of("aluminium-bat");
+  acquire::Record record = record_of(test.fs_Hz, test.accel, {test.force});
+  record.force.unit_assumed = record.accel[0].unit_assumed = true;
+  EXPECT_THAT(messages_of(record), AllOf(kSwapped, Not(Contains(HasSubstr("sensitivity of the other sensor")))));
+  record.force.unit_assumed = record.accel[0].unit_assumed = false;
+  EXPECT_THAT(messages_of(record), Contains(AllOf(StartsWith("swapped_channels: accel 1 looks like the hammer"),
+                                                  HasSubstr("scaled each signal with the sensitivity of the other "),
+                                                  HasSubstr("state the scales"))));
+}
+
 // A loose cable: the accelerometer shows ordinary ringing, which is no pulse.
 TEST_P(Roles, OfADeadHammerAreNotExchanged) {
   const HammerTest test = samples_of(GetParam());

@@ -36,6 +36,15 @@ TEST(AnalysisText, ContainsOnlyTheChosenSections) {
               AllOf(HasSubstr("damping"), Not(HasSubstr("bending"))));
 }
 
+// Verdicts without the accelerations must not pass for verdicts about them.
+TEST(AnalysisText, SaysThatTheForceAloneJudgesTheHits) {
+  const auto says = HasSubstr("judged by their force alone");
+  EXPECT_THAT(text_of(test::bending_and_hoop_spec(), {.sections = {ReportSection::hits}}), says);
+  EXPECT_THAT(text_of(test::bending_and_hoop_spec(), {.sections = {ReportSection::hits, ReportSection::frf}}),
+              Not(says));
+  EXPECT_THAT(text_of(test::bending_and_hoop_spec()), Not(says));
+}
+
 TEST(AnalysisText, GivesTheReasonBesideARejectedHit) {
   synth::SynthSpec spec = test::bending_and_hoop_spec();
   spec.faults = {{.hit = 1, .kind = synth::SynthFaultKind::double_hit, .ratio = 0.3, .delay_s = 0.02}};
