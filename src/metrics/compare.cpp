@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <tuple>
 
@@ -128,6 +130,15 @@ std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocu
   return pairs;
 }
 
+// The modes of one order that are second peaks of a split mode, or those that are not.
+std::vector<std::size_t> peaks_of(const ComparedDocument& document, const std::vector<std::size_t>& modes,
+                                  bool second) {
+  std::vector<std::size_t> out;
+  std::copy_if(modes.begin(), modes.end(), std::back_inserter(out),
+               [&](std::size_t m) { return document.modes[m].second == second; });
+  return out;
+}
+
 // Pairs of one family and order, without the modes in `chosen`.
 std::vector<ModePair> by_order(const ComparedDocument& a, const ComparedDocument& b, const CommonOrders& orders,
                                const std::vector<ModePair>& chosen, const PairOptions& options) {
@@ -144,16 +155,25 @@ std::vector<ModePair> by_order(const ComparedDocument& a, const ComparedDocument
   for (const auto& [family, common] : orders.common()) {
     for (const int order : common) {
       const auto of_a = modes_of_order(a, family, order), of_b = modes_of_order(b, family, order);
-      if (of_a.size() == of_b.size()) {
-        for (std::size_t i = 0; i < of_a.size(); ++i) {
-          if (near(a.modes[of_a[i]], b.modes[of_b[i]])) add(pair_of(a, b, of_a[i], of_b[i]));
+      const auto from_below = [&](const std::vector<std::size_t>& x, const std::vector<std::size_t>& y) {
+        for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+          if (near(a.modes[x[i]], b.modes[y[i]])) add(pair_of(a, b, x[i], y[i]));
         }
+      };
+      if (of_a.size() == of_b.size()) {
+        from_below(of_a, of_b);
         continue;
       }
-      const auto found = by_frequency(a, b, of_a, of_b, [&](const ComparedMode& x, const ComparedMode& y) {
-        return x.second == y.second && near(x, y);
-      });
-      for (const ModePair& pair : found) add(pair);
+      // The first peak of a split mode stands for it, even if the second is lower.
+      std::vector<std::size_t> rest_a, rest_b;
+      for (const bool second : {false, true}) {
+        const auto x = peaks_of(a, of_a, second), y = peaks_of(b, of_b, second);
+        from_below(x, y);
+        const auto paired = static_cast<std::ptrdiff_t>(std::min(x.size(), y.size()));
+        rest_a.insert(rest_a.end(), x.begin() + paired, x.end());
+        rest_b.insert(rest_b.end(), y.begin() + paired, y.end());
+      }
+      from_below(rest_a, rest_b);
     }
   }
   return pairs;

@@ -95,13 +95,13 @@ struct PairedModes {
 /// Pairs the modes of two documents. Only modes whose frequencies differ by at most PairOptions::furthest pair, or
 /// furthest_of_orders by order. Two modes with shapes at three common places or more pair by shape only, the best MAC
 /// first. Modes whose shapes cannot be compared pair by family and order where CommonOrders holds: equal orders, and of
-/// two peaks of one order (3a and 3b) the lower with the lower. Where one document has more peaks of an order, the
-/// split mode's first peak pairs, else the nearest. The remaining modes pair by frequency, in ascending order: the
-/// number of pairs is maximised, then the sum of |ln(f_b/f_a)| is minimised. A bending mode never pairs with a hoop
-/// mode. Modes of 0 Hz (rigid-body modes) are left out. Two modes that crossed are exchanged by their frequencies,
-/// which cannot show it. Two pairs that are not by shape are named as exchangeable where their modes may pair
-/// crosswise, and if the two modes of one document lie no further apart than the two modes of one of the pairs.
-/// Shapes are compared at equal points: see common_places().
+/// several peaks of one order (3a and 3b) the lower with the lower, however far apart they are. Where one document has
+/// more peaks of an order, its upper ones have no partner; the first peak of a split mode stands for it. The remaining
+/// modes pair by frequency, in ascending order: the number of pairs is maximised, then the sum of |ln(f_b/f_a)| is
+/// minimised. A bending mode never pairs with a hoop mode. Modes of 0 Hz (rigid-body modes) are left out. Two modes
+/// that crossed are exchanged by their frequencies, which cannot show it. Two pairs that are not by shape are named as
+/// exchangeable where their modes may pair crosswise, and if the two modes of one document lie no further apart than
+/// the two modes of one of the pairs. Shapes are compared at equal points: see common_places().
 PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options = {});
 
 /// The MAC of two modes at their common places; nothing for fewer than three.

@@ -214,14 +214,35 @@ TEST(PairModes, DoubtsOrdersThatTheFrequenciesContradict) {
   EXPECT_THAT(indices(pair_modes(all, without_first)), ElementsAre(testing::Pair(1, 0), testing::Pair(2, 1)));
 }
 
-TEST(PairModes, PairsTheNearestPeakOfAnOrder) {
-  const ComparedDocument both = document_of_orders({{"bending", 1, 170}, {"bending", 2, 500}, {"bending", 2, 540}});
-  const ComparedDocument one = document_of_orders({{"bending", 1, 170}, {"bending", 2, 541}});
-  EXPECT_THAT(indices(pair_modes(both, one)), ElementsAre(testing::Pair(0, 0), testing::Pair(2, 1)));
-  // The first peak stands for a split mode.
+// A single peak of a tube that splits: the lower peak tells how far the mode fell, at whatever distance of the two.
+TEST(PairModes, PairsPeaksOfOneOrderFromBelow) {
+  const ComparedDocument one = document_of_orders({{"bending", 1, 170}, {"hoop", 1, 1740}});
+  for (const double upper_Hz : {1695.0, 1721.6, 1739.0}) {
+    for (const bool second : {false, true}) {
+      const ComparedDocument both =
+          document_of_orders({{"bending", 1, 170}, {"hoop", 1, 1687.8}, {"hoop", 1, upper_Hz, 0.99, second}});
+      const PairedModes paired = pair_modes(one, both);
+      EXPECT_THAT(indices(paired), ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1))) << upper_Hz;
+      EXPECT_THAT(paired.unpaired_b, ElementsAre(2)) << upper_Hz;
+      EXPECT_THAT(indices(pair_modes(both, one)), ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1))) << upper_Hz;
+    }
+  }
+  const ComparedDocument three =
+      document_of_orders({{"bending", 1, 170}, {"hoop", 1, 1600}, {"hoop", 1, 1687}, {"hoop", 1, 1721}});
+  const ComparedDocument two = document_of_orders({{"bending", 1, 170}, {"hoop", 1, 1687}, {"hoop", 1, 1721}});
+  EXPECT_THAT(indices(pair_modes(three, two)),
+              ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1), testing::Pair(2, 2)));
+  ComparedDocument split = two;
+  split.modes[2].second = true;
+  EXPECT_THAT(indices(pair_modes(three, split)),
+              ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1), testing::Pair(2, 2)));
+}
+
+TEST(PairModes, PairsTheFirstPeakOfASplitModeThatLiesAboveTheSecond) {
+  const ComparedDocument one = document_of_orders({{"bending", 1, 170}, {"hoop", 1, 1740}});
   const ComparedDocument split =
-      document_of_orders({{"bending", 1, 170}, {"bending", 2, 535}, {"bending", 2, 540, 0.99, true}});
-  EXPECT_THAT(indices(pair_modes(split, one)), ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1)));
+      document_of_orders({{"bending", 1, 170}, {"hoop", 1, 1720, 0.99, true}, {"hoop", 1, 1738}});
+  EXPECT_THAT(indices(pair_modes(one, split)), ElementsAre(testing::Pair(0, 0), testing::Pair(1, 2)));
 }
 
 TEST(PairModes, PrefersShapesToOrders) {

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "core/math/linear_algebra.hpp"
 #include "core/math/roots.hpp"
+#include "core/math/significance.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -96,41 +100,132 @@ Window crossing_window(const ScanShape& shape, std::size_t below, std::size_t ab
   return w;
 }
 
-Node node_between(const ScanShape& shape, std::size_t below, std::size_t above, const NodeOptions& options) {
-  const Window w = crossing_window(shape, below, above, options.points);
-  const auto points = static_cast<std::size_t>(w.u.size());
-  std::vector<PolynomialFit> fits;  // of degree 1, 2, …
-  for (int degree = 1; degree <= options.highest_degree && static_cast<std::size_t>(degree) < points; ++degree) {
-    fits.push_back(fit_polynomial(w.u, w.y, w.std, degree));
-    fits.back().root_u = root_within(fits.back(), w.low_u, w.high_u);
-  }
-  const double scale2 = fits.back().scale2();
-  std::size_t best = fits.size();
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    const double score = fits[i].chi2 / scale2 + static_cast<double>(i) * std::log(static_cast<double>(points));
-    if (fits[i].root_u && score < least) {
-      best = i;
-      least = score;
+// Polynomials of every degree through the nearest points of a window, for every number of points.
+class LocalFits {
+ public:
+  LocalFits(const Window& window, std::size_t fewest, int highest_degree)
+      : fewest_(fewest), all_(static_cast<std::size_t>(window.u.size())), highest_(highest_degree) {
+    for (std::size_t points = fewest_; points <= all_; ++points) {
+      const auto n = static_cast<Index>(points);
+      for (int degree = 1; degree <= highest_ + 1 && static_cast<std::size_t>(degree) < points; ++degree) {
+        PolynomialFit fit = fit_polynomial(window.u.head(n), window.y.head(n), window.std.head(n), degree);
+        fit.root_u = root_within(fit, window.low_u, window.high_u);
+        fits_.emplace(std::pair{points, degree}, std::move(fit));
+      }
     }
   }
+
+  std::size_t fewest() const { return fewest_; }
+  std::size_t points() const { return all_; }
+  int highest_degree(std::size_t points) const { return std::min(highest_, static_cast<int>(points) - 1); }
+  const PolynomialFit& at(std::size_t points, int degree) const { return fits_.at({points, degree}); }
+  // The fit if it exists and crosses zero within the bracket.
+  const PolynomialFit* crossing(std::size_t points, int degree) const {
+    const auto found = fits_.find({points, degree});
+    return found != fits_.end() && found->second.root_u ? &found->second : nullptr;
+  }
+
+ private:
+  std::size_t fewest_ = 0, all_ = 0;
+  int highest_ = 0;  // of a node; one degree more shows the model error
+  std::map<std::pair<std::size_t, int>, PolynomialFit> fits_;
+};
+
+// The scatter of the points beyond their standard deviations.
+struct LocalScatter {
+  double variance = 1;  // factor of the stated variances
+  double student = 1;   // factor of standard deviations, where `variance` is estimated from few points
+};
+
+// χ² per degree of freedom of the highest degree. The window grows from the crossing, until the next point contradicts
+// the polynomial: the shape leaves it there, and the points scatter no more than before.
+LocalScatter local_scatter(const LocalFits& fits) {
+  constexpr std::size_t kMinDegreesOfFreedom = 3;
+  constexpr double kContradicts = 2.6;  // normal deviates: once in 100 cases
+  LocalScatter out;
+  const PolynomialFit* last = nullptr;
+  const std::size_t most = fits.at(fits.points(), fits.highest_degree(fits.points())).degrees_of_freedom;
+  const std::size_t least = std::clamp<std::size_t>(most, 1, kMinDegreesOfFreedom);
+  for (std::size_t points = fits.fewest(); points <= fits.points(); ++points) {
+    const PolynomialFit& fit = fits.at(points, fits.highest_degree(points));
+    if (fit.degrees_of_freedom < least) continue;
+    if (last != nullptr) {
+      const double limit = student_quantile(kContradicts, static_cast<double>(last->degrees_of_freedom));
+      if (fit.chi2 - last->chi2 > limit * limit * out.variance) break;
+    }
+    out.variance = std::max(out.variance, fit.scale2());
+    last = &fit;
+  }
+  if (last != nullptr) {
+    const auto degrees = static_cast<double>(last->degrees_of_freedom);
+    if (chi2_deviate(last->chi2, degrees) > kOnceIn1000) out.student = student_factor(degrees);
+  }
+  return out;
+}
+
+struct ChosenFit {
+  std::size_t points = 0;
+  int degree = 0;
+};
+
+// The fit with the least χ²/s² + p ln n. Each point that a fit leaves out counts as a coefficient.
+std::optional<ChosenFit> choose_fit(const LocalFits& fits, double variance) {
+  const double cost = std::log(static_cast<double>(fits.points()));
+  std::optional<ChosenFit> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t points = fits.fewest(); points <= fits.points(); ++points) {
+    for (int degree = 1; degree <= fits.highest_degree(points); ++degree) {
+      const PolynomialFit* fit = fits.crossing(points, degree);
+      if (fit == nullptr) continue;
+      const double score =
+          fit->chi2 / variance + (static_cast<double>(degree) + static_cast<double>(fits.points() - points)) * cost;
+      if (score < least) {
+        best = ChosenFit{.points = points, .degree = degree};
+        least = score;
+      }
+    }
+  }
+  return best;
+}
+
+// The larger distance to the roots of the next degree (the next lower one where there is none) and of two points less;
+// nothing where neither has a root.
+std::optional<double> model_error_u(const LocalFits& fits, const ChosenFit& chosen) {
+  const double root_u = *fits.at(chosen.points, chosen.degree).root_u;
+  const PolynomialFit* degree = fits.crossing(chosen.points, chosen.degree + 1);
+  if (degree == nullptr) degree = fits.crossing(chosen.points, chosen.degree - 1);
+  const PolynomialFit* support = nullptr;
+  for (std::size_t less = 2; less > 0 && support == nullptr; --less)
+    support = fits.crossing(chosen.points - less, chosen.degree);
+  std::optional<double> out;
+  for (const PolynomialFit* other : {degree, support}) {
+    if (other != nullptr) out = std::max(out.value_or(0), std::abs(*other->root_u - root_u));
+  }
+  return out;
+}
+
+Node node_between(const ScanShape& shape, std::size_t below, std::size_t above, const NodeOptions& options) {
+  constexpr std::size_t kFewestPoints = 4;
+  const Window w = crossing_window(shape, below, above, options.points);
+  const auto points = static_cast<std::size_t>(w.u.size());
+  const LocalFits fits(w, std::max(std::min(kFewestPoints, points), above - below + 1), options.highest_degree);
+  const LocalScatter scatter = local_scatter(fits);
+  const auto chosen = choose_fit(fits, scatter.variance);
   // No polynomial crosses zero between the two points: the node is only known to lie between them.
   const double width_m = (w.high_u - w.low_u) * w.scale_m;
-  if (best == fits.size()) return {.position_m = w.middle_m, .std_m = width_m / std::sqrt(12.0), .points = points};
-  const PolynomialFit& fit = fits[best];
-  const bool higher = best + 1 < fits.size() && fits[best + 1].root_u;
-  const bool lower = !higher && best > 0 && fits[best - 1].root_u;
-  const double model_m = higher || lower
-                             ? std::abs(*fits[higher ? best + 1 : best - 1].root_u - *fit.root_u) * w.scale_m
-                             : width_m / std::sqrt(12.0);
+  if (!chosen) return {.position_m = w.middle_m, .std_m = width_m / std::sqrt(12.0), .points = points};
+  const PolynomialFit& fit = fits.at(chosen->points, chosen->degree);
+  const auto error_u = model_error_u(fits, *chosen);
+  const double model_m = error_u ? *error_u * w.scale_m : width_m / std::sqrt(12.0);
   // The shape may contain a term of the next degree that is not significant. The root's standard deviation is therefore
   // the standard deviation of the next degree's fit.
-  const PolynomialFit& wider = higher ? fits[best + 1] : fit;
-  const double fit_m = wider.root_std(std::max(scale2, wider.scale2())) * w.scale_m;
+  const PolynomialFit* higher = fits.crossing(chosen->points, chosen->degree + 1);
+  const PolynomialFit& wider = higher != nullptr ? *higher : fit;
+  const double fit_m = wider.root_std(std::max(scatter.variance, wider.scale2())) * w.scale_m * scatter.student;
   return {.position_m = w.middle_m + *fit.root_u * w.scale_m,
           .std_m = std::hypot(fit_m, model_m),
-          .degree = static_cast<int>(best) + 1,
-          .points = points};
+          .degree = chosen->degree,
+          .points = chosen->points};
 }
 
 }  // namespace

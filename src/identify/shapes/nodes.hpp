@@ -17,19 +17,22 @@ struct Node {
 };
 
 struct NodeOptions {
-  std::size_t points = 17;  // in a fit, the nearest to the crossing
-  /// Degree 4 follows a sine over half a wavelength to 5e-3 of its height; degree 5 gives its model error.
+  std::size_t points = 17;  // at most in a fit, the nearest to the crossing
+  /// Of a node's polynomial. Degree 4 follows a sine over half a wavelength to 5e-3 of its height.
   int highest_degree = 5;
 };
 
 /// The nodes: zero crossings of the shape. A crossing lies between two points of opposite sign, both more than three
 /// standard deviations from zero; points between them are closer to zero than that. The node is the root of a
-/// polynomial in the position, fitted to the points around by weighted least squares. Its degree k minimises
-/// χ²/s² + k ln n for n points. s² is χ² per degree of freedom of the fit of the highest degree, and at least 1. The
-/// variance is a sum of two terms. The first is the variance of the next higher degree's root, times χ² per degree of
-/// freedom where this exceeds 1. The second is the model error: the squared distance to that root. Where there is no
-/// such root, the first term is the fit's own variance, and the second the squared distance to the root of the next
-/// lower degree. theory (5.8)
+/// polynomial in the position, fitted by weighted least squares to the n points nearest to the crossing, four or more.
+/// Its degree k and n minimise χ²/s² + (k + N − n) ln N for N points at most: a point that is left out counts as a
+/// coefficient. s² is χ² per degree of freedom of the highest degree, at least 1, and the largest while n grows from
+/// three degrees of freedom, until a point contradicts the polynomial (once in 100 cases). So a scan with more nodes
+/// than a polynomial follows is fitted around each node. The variance is a sum of two terms. The first is the variance
+/// of the next higher degree's root, times the larger of s² and its own χ² per degree of freedom, and times Student's
+/// factor where the points scatter beyond their standard deviations. The second is the model error: the larger squared
+/// distance to the root of that degree, and to the root with two points less. Where there is no root of the next higher
+/// degree, the first term is the fit's own variance, and the next lower degree gives the distance. theory (5.8)
 std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options = {});
 
 /// The node by the rule of thumb of [8], section 3.6: the position of the minimum of the mode's peak, rounded to

@@ -6,12 +6,22 @@
 
 #include "core/error.hpp"
 #include "pipeline/source/band.hpp"
+#include "pipeline/source/modes_beyond.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
 // A band may end this far beyond the last line: tables of 20, 20.25 … 1999.75 Hz are meant to end at 2000 Hz.
 constexpr double kBeyond_lines = 1.01;
+
+// [lines] squared magnitude of all FRFs.
+std::vector<double> power_of(const acquire::FrfRecord& frfs) {
+  std::vector<double> power(frfs.lines.count);
+  for (const acquire::PointFrf& one : frfs.frfs) {
+    for (std::size_t k = 0; k < power.size(); ++k) power[k] += std::norm(one.frf.value[k]);
+  }
+  return power;
+}
 
 acquire::Record record_without_rows(const acquire::FrfRecord& frfs) {
   acquire::Record record;
@@ -56,7 +66,8 @@ acquire::LineRange FrfSource::choose_lines(const LineRequest& request, const std
                      record_.source(), "choose LO:HI within this range", {"band"});
   }
   const auto [from_Hz, to_Hz] = band_with_margin(low_Hz, high_Hz);
-  acquire::LineRange lines = frf::lines_in_band(all.fs_Hz, all.samples, from_Hz, std::min(to_Hz, top_Hz));
+  const double end_Hz = end_past_modes(std::min(to_Hz, top_Hz), request.band_Hz, all, power_of(frfs_));
+  acquire::LineRange lines = frf::lines_in_band(all.fs_Hz, all.samples, from_Hz, end_Hz);
   const std::size_t end = std::min(lines.first + lines.count, all.first + all.count);
   lines.first = std::max(lines.first, all.first);
   lines.count = end > lines.first ? end - lines.first : 0;

@@ -8,6 +8,7 @@
 #include "core/math/fft.hpp"
 #include "core/math/statistics.hpp"
 #include "pipeline/source/band.hpp"
+#include "pipeline/source/modes_beyond.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -18,6 +19,8 @@ constexpr double kAntiAlias = 0.44;  // of fs: above it a recorder's filter shap
 constexpr std::size_t kLongRow = std::size_t{1} << 17U;
 constexpr double kMinLowEnd = 1e-3;  // of the high end of the band: lower lines need long segments to see them decay
 constexpr double kUsableBandwidthFactor = 1.2;  // of the −20 dB bandwidth: limit of the margin
+
+constexpr std::size_t kMaxPeakSamples = std::size_t{1} << 16U;  // in which modes beyond the band are searched
 
 // Hits are ascending by row.
 bool any_row_has_several(const std::vector<AnalysedHit>& hits) {
@@ -92,8 +95,13 @@ acquire::LineRange RecordSource::choose_lines(const LineRequest& request, const 
   }
   const auto [low_Hz, high_Hz] = request.band_Hz;
   const auto [from_Hz, to_Hz] = band_with_margin(low_Hz, high_Hz);
-  const double top_Hz =
-      std::max(high_Hz, std::min({to_Hz, kUsableBandwidthFactor * bandwidth_Hz, kAntiAlias * record_.fs_Hz}));
+  const double limit_Hz = std::min(kUsableBandwidthFactor * bandwidth_Hz, kAntiAlias * record_.fs_Hz);
+  double top_Hz = std::max(high_Hz, std::min(to_Hz, limit_Hz));
+  if (const double furthest_Hz = std::min(furthest_end_Hz(top_Hz, request.band_Hz), limit_Hz); furthest_Hz > top_Hz) {
+    const acquire::LineRange few =
+        frf::lines_in_band(record_.fs_Hz, fast_length_at_most(std::min(samples, kMaxPeakSamples)), low_Hz, furthest_Hz);
+    top_Hz = end_past_modes(top_Hz, request.band_Hz, few, response_power(record_, hits, few));
+  }
   const acquire::LineRange range = frf::lines_in_band(record_.fs_Hz, samples, from_Hz, top_Hz);
   require_lines(range, low_Hz, high_Hz, record_.source(), "record longer or widen the band");
   return range;

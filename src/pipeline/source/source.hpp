@@ -40,7 +40,8 @@ class Source {
   virtual bool has_frfs(const std::vector<AnalysedHit>& hits) const = 0;
   /// The band of an analysis if the user states none.
   virtual std::pair<double, double> default_band_Hz(const std::vector<AnalysedHit>& hits) const = 0;
-  /// The band with a margin for modes just outside, limited by the bandwidth of the data. `hits` are graded by force.
+  /// The band with a margin for modes just outside, past strong modes just beyond it, limited by the bandwidth of the
+  /// data. `hits` are graded by force.
   /// errors  InputError: no accepted hit, or a band that does not fit the data.
   virtual acquire::LineRange choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,
                                           Trace& trace) const = 0;

@@ -134,12 +134,14 @@ std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes
   }
   return {with_remedy(
       {"local_fits",
-       fmt::format("around {} of {} modes, all modes together leave at least ten times the residual energy of local "
-                   "fits: {}.{}. Possible causes: a mode that is missing, frequencies or damping that change during "
-                   "the record",
-                   count, modes.size(), list, values),
+       fmt::format(
+           "around {} of {} modes, all modes together leave at least ten times the residual energy of local "
+           "fits: {}.{}. Possible causes: a mode that is missing, a strong mode beyond the band, frequencies or "
+           "damping that change during the record",
+           count, modes.size(), list, values),
        {"band", "start"}},
-      "analyse a narrower band around these modes, or state a starting frequency for a missing one")};
+      "analyse a narrower band around these modes, extend the band past a strong mode beyond it, or state a starting "
+      "frequency for a missing one")};
 }
 
 std::vector<Warning> no_modes_warnings(const std::vector<identify::Mode>& modes, std::pair<double, double> band_Hz,

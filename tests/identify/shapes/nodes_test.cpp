@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "core/math/roots.hpp"
 #include "core/units.hpp"
 #include "synth/random_stream.hpp"
 #include "synth/structure.hpp"
@@ -105,6 +108,80 @@ TEST(FindNodes, IncludesScatterBeyondTheStatedStandardDeviations) {
   const auto node = find_nodes(scan).at(0);
   EXPECT_GE(node.std_m, 5 * exact.std_m);
   EXPECT_LE(std::abs(node.position_m - 0.117), 4 * node.std_m);
+}
+
+// Zeros of free_beam_shape(mode, x/length) in m, by the synthesiser's own shape.
+std::vector<double> beam_nodes_m(int mode, double length_m) {
+  std::vector<double> nodes;
+  const auto shape = [&](double x) { return synth::free_beam_shape(mode, x / length_m); };
+  constexpr int kParts = 1001;
+  for (int i = 0; i < kParts; ++i) {
+    const double low_m = length_m * i / kParts, high_m = length_m * (i + 1) / kParts;
+    if (shape(low_m) * shape(high_m) < 0) nodes.push_back(bracketed_root(shape, low_m, high_m));
+  }
+  return nodes;
+}
+
+struct Comparison {
+  int nodes = 0;
+  double z2 = 0, most_z = 0, most_off_m = 0;
+  void add(double off_m, double std_m) {
+    ++nodes;
+    z2 += std::pow(off_m / std_m, 2);
+    most_z = std::max(most_z, std::abs(off_m / std_m));
+    most_off_m = std::max(most_off_m, std::abs(off_m));
+  }
+  double rms_z() const { return std::sqrt(z2 / nodes); }
+};
+
+// The nodes of bending 1 to 4 of a bat 33 in long in one scan per mode and seed.
+Comparison compare_nodes(double start_in, double step_in, int count, double std, int seeds) {
+  constexpr double kLength_m = 33 * kInch_m;
+  Comparison out;
+  for (int mode = 1; mode <= 4; ++mode) {
+    const auto truth_m = beam_nodes_m(mode, kLength_m);
+    EXPECT_EQ(truth_m.size(), static_cast<std::size_t>(mode) + 1);
+    const auto exact = scan_of(
+        start_in * kInch_m, step_in * kInch_m, count,
+        [&](double x) { return synth::free_beam_shape(mode, x / kLength_m); }, std);
+    for (int seed = 0; seed < seeds; ++seed) {
+      for (const Node& node : find_nodes(with_noise(exact, static_cast<std::uint64_t>(100 * mode + seed)))) {
+        const auto nearest = *std::min_element(truth_m.begin(), truth_m.end(), [&](double a, double b) {
+          return std::abs(a - node.position_m) < std::abs(b - node.position_m);
+        });
+        out.add(node.position_m - nearest, node.std_m);
+      }
+    }
+  }
+  return out;
+}
+
+// One polynomial over the whole bat has nodes 1 in off; the shape has more extremes than its degree.
+TEST(FindNodes, FollowsShapesWithMoreNodesThanAPolynomialOfTheirWholeLength) {
+  const struct {
+    double step_in;
+    int count;
+    double most_in;  // off, of the highest mode; in steps of 2 in its half wave has four points
+  } scans[] = {{1, 32, 0.05}, {1.5, 21, 0.05}, {2, 16, 0.2}};
+  for (const auto& scan : scans) {
+    const Comparison exact = compare_nodes(1, scan.step_in, scan.count, 1e-6, 1);
+    EXPECT_EQ(exact.nodes, 14) << scan.step_in;
+    EXPECT_LE(exact.most_off_m, scan.most_in * kInch_m) << scan.step_in;
+    EXPECT_LE(exact.most_z, 2) << scan.step_in;
+    const Comparison noisy = compare_nodes(1, scan.step_in, scan.count, 3e-3, 40);
+    EXPECT_LE(noisy.rms_z(), 1.1) << scan.step_in;
+    EXPECT_GE(noisy.rms_z(), 0.3) << scan.step_in << ": not exaggerated either";
+    EXPECT_LE(noisy.most_z, 4) << scan.step_in;
+  }
+}
+
+TEST(FindNodes, StatesTrueStandardDeviationsAtAnEndOfTheBat) {
+  const Comparison handle = compare_nodes(20, 1, 13, 3e-3, 40), barrel = compare_nodes(3, 0.5, 13, 3e-3, 40);
+  for (const Comparison& scan : {handle, barrel}) {
+    EXPECT_LE(scan.rms_z(), 1.1);
+    EXPECT_GE(scan.rms_z(), 0.3) << "not exaggerated either";
+    EXPECT_LE(scan.most_off_m, 0.05 * kInch_m);
+  }
 }
 
 TEST(FindNodes, DoesNotDependOnSignOrUnits) {
