@@ -80,8 +80,8 @@ class Analysis {
   /// The band of the options, or else the source's default.
   std::pair<double, double> band_Hz() const;
   /// Spectral lines of the FRFs: the whole band, and a margin for modes just outside it, extended past strong modes
-  /// just beyond it (end_past_modes). The margin ends at 1.2 times the bandwidth of the force at the latest, and at 0.44
-  /// of the sampling rate.
+  /// just beyond it (end_past_modes). The margin ends at 1.2 times the bandwidth of the force at the latest, and at
+  /// 0.44 of the sampling rate.
   const acquire::LineRange& lines() const;
   /// Where the transforms leave out the end of the hits, because no spectral line of the band decays there: the time
   /// that they use. Nothing where they use all samples, where the user stated a length, and for FRFs that were given.
