@@ -131,8 +131,8 @@ TEST(CompareReport, StatesOrdersAndTheRuleThatPaired) {
       .deflections = {}};
   const CommandReport report = compare_report({a, b});
   const std::string text = report.text.text(200);
-  EXPECT_THAT(text, HasSubstr("   2  bending 2a"));
-  EXPECT_THAT(text, testing::ContainsRegex("3  bending 2b +510 Hz +520 Hz, bending 2 \\("));
+  EXPECT_THAT(text, testing::ContainsRegex("2  bending 2a +500 Hz +520 Hz, bending 2 \\("));
+  EXPECT_THAT(text, testing::ContainsRegex("3  bending 2b +510 Hz +–"));
   EXPECT_THAT(text, testing::ContainsRegex("4  unknown +900 Hz +950 Hz, bending 3 \\("));
   EXPECT_THAT(text, testing::ContainsRegex("1  bending 1 +170 Hz +172 Hz \\("));
   EXPECT_THAT(text, HasSubstr("2 of 3 modes are paired by family and order (fewer than 3 common points)\n"));
@@ -142,8 +142,8 @@ TEST(CompareReport, StatesOrdersAndTheRuleThatPaired) {
   EXPECT_THAT(report.json, HasSubstr("\"order_b\": 2"));
   ASSERT_EQ(report.words.size(), 3U);
   EXPECT_THAT(report.words[0].values, ElementsAre("bending 1", "bending 2a", "bending 2b", "unknown"));
-  EXPECT_THAT(report.words[1].values, ElementsAre("bending 1", "", "bending 2", "bending 3"));
-  EXPECT_THAT(report.words[2].values, ElementsAre("order", "", "order", "frequency"));
+  EXPECT_THAT(report.words[1].values, ElementsAre("bending 1", "bending 2", "", "bending 3"));
+  EXPECT_THAT(report.words[2].values, ElementsAre("order", "order", "", "frequency"));
 }
 
 TEST(CompareReport, SaysThatFrequenciesContradictOrders) {
