@@ -18,7 +18,7 @@ int main(int argc, char** argv) try {
   const percuss::Survey survey(record, options);
   if (!survey.analysis().possible()) return 1;
 
-  const auto modes = survey.analysis().modes();
+  const auto modes = survey.modes();
   const auto shapes = survey.shapes();
   const auto tubes = survey.tubes();
   for (std::size_t m = 0; m < modes.size(); ++m) {

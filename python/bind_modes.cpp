@@ -7,7 +7,8 @@ namespace percuss::python {
 Object modes_of(PyObject* self, const Arguments& arguments) {
   const SharedResult& held = ResultClass::of(self);
   const pipeline::Analysis& analysis = *analysis_of(held, static_cast<std::size_t>(arguments[0].whole()));
-  const auto modes = compute(held, [&] { return analysis.modes(); });
+  const pipeline::Survey* const survey = held->outcome.survey.get();
+  const auto modes = compute(held, [&] { return survey == nullptr ? analysis.modes() : survey->modes(); });
   const std::size_t frf_channels = modes.empty() ? 0 : modes.front().residues.size();
   const auto column = [&](const auto& number) {
     std::vector<double> values;

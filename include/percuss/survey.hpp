@@ -10,7 +10,7 @@
 ///   // A geometry from a file: {.geometry = percuss::read_geometry("points.csv")}
 ///   const percuss::Record record = percuss::synthesise_preset("roving-barrel").record;
 ///   const percuss::Survey survey(record, {.analysis = {.band_Hz = percuss::Band{60, 3200}}});
-///   const std::vector<percuss::Mode> modes = survey.analysis().modes();
+///   const std::vector<percuss::Mode> modes = survey.modes();
 ///   const std::vector<percuss::ModeShape> shapes = survey.shapes();
 ///   for (std::size_t m = 0; m < modes.size(); ++m)
 ///     std::cout << modes[m].freq_Hz << " Hz at " << shapes[m].places.size() << " points\n";
@@ -116,6 +116,9 @@ class Survey {
   /// Hits, FRFs, modes.
   Analysis analysis() const;
   std::optional<Geometry> geometry() const;
+  /// The modes that the shapes belong to, ascending: those of the analysis, and two in the place of a mode whose
+  /// residues at several sensors need two shapes.
+  std::vector<Mode> modes() const;
   std::vector<ModeShape> shapes() const;                    // [modes]
   std::vector<std::optional<TubeShape>> tubes() const;      // [modes]; no value where the shape is not on a tube
   std::vector<ModeClassification> classifications() const;  // [modes]; by the shapes on a tube, else as Analysis

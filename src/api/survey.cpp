@@ -138,6 +138,8 @@ std::optional<Geometry> Survey::geometry() const {
   return geometry ? std::optional(api::public_geometry(*geometry)) : std::nullopt;
 }
 
+std::vector<Mode> Survey::modes() const { return api::modes_of(api::computed(*this).modes()); }
+
 std::vector<ModeShape> Survey::shapes() const {
   std::vector<ModeShape> out;
   for (const identify::ModeShape& shape : data_->survey.shapes()) {

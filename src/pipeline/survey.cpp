@@ -300,7 +300,7 @@ std::vector<Warning> Survey::warnings() const {
   for (Warning& warning : three_wave_warnings(results.modes, results.classifications))
     out.push_back(std::move(warning));
   if (roving_ == identify::Roving::hammer) {
-    for (Warning& warning : reference_warnings(results.accel, results.modes, results.names))
+    for (Warning& warning : reference_warnings(results.accel, analysis_.modes(), results.names))
       out.push_back(std::move(warning));
   }
   if (has_reversed_phase(analysis_.record())) remove_consequences_of_reversed_phase(out);

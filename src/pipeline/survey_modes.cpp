@@ -12,6 +12,7 @@
 #include "pipeline/stages/mode_stages.hpp"
 #include "pipeline/warnings/hit_scatter_warnings.hpp"
 #include "pipeline/warnings/mode_warnings.hpp"
+#include "pipeline/warnings/reference_warnings.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -42,7 +43,9 @@ SurveyModes survey_modes(const Analysis& analysis, identify::Roving roving,
   SurveyModes out;
   const std::vector<identify::Mode>& found = analysis.modes();
   const auto several = [](const identify::Mode& mode) { return identify::test_rank(mode).two_modes(); };
-  const bool any = roving == identify::Roving::hammer && std::any_of(found.begin(), found.end(), several);
+  // A sensor that was reversed or moved at some points also makes the residues rank two (sensors_disagree).
+  const bool any = roving == identify::Roving::hammer && std::any_of(found.begin(), found.end(), several) &&
+                   reference_warnings(analysis.record().accel, found, analysis.point_names()).empty();
   const std::vector<int> points = any ? analysis.frf_points() : std::vector<int>{};
   // All modes of the fit, for the flanks of the neighbours.
   const std::vector<identify::Mode> all =
