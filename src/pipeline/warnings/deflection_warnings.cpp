@@ -97,7 +97,7 @@ void add_clipped(const DeflectionResults& test, std::vector<Warning>& out) {
   if (!test.clipped_left_out.empty()) {
     const bool modal = test.has_force && test.clipped_left_out.size() < test.impacts;
     const std::string by_modes =
-        modal ? "choose the method modal, which takes the modes of the other hits and the force of these; " : "";
+        modal ? ", or choose the method modal, which takes the modes of the other hits and the force of these" : "";
     out.push_back(with_remedy(
         {"response_clipped",
          fmt::format("an acceleration is clipped in {}: left out, because the integrals miss the motion beyond the "
@@ -106,7 +106,7 @@ void add_clipped(const DeflectionResults& test, std::vector<Warning>& out) {
          modal ? std::vector<OptionId>{"method", "accept_hit"} : std::vector<OptionId>{"accept_hit"},
          {},
          acquire::Severity::warn},
-        "raise the input range; " + by_modes + "to see such a deflection all the same, accept its hit"));
+        "raise the input range" + by_modes + "; to see such a deflection all the same, accept its hit"));
   }
   if (!test.clipped_used.empty()) {
     out.push_back(with_remedy(
