@@ -15,7 +15,8 @@ using Coordinates = std::array<double, 3>;
 
 constexpr double kOfExtent = 0.01;  // points are marked by hand, to some mm on a structure of a metre
 constexpr double kOfSpacing = 0.25;
-constexpr double kParallel = 0.95;  // |cosine|: 18°
+constexpr double kParallel = 0.95;                // |cosine|: 18°
+constexpr std::size_t kMaxCompared = 10'000'000;  // pairs of points, which bounds time and memory
 
 std::set<int> points_of(const ComparedDocument& document) {
   std::set<int> points;
@@ -73,9 +74,10 @@ double tolerance_m(const std::vector<std::pair<int, Coordinates>>& points) {
 // The sign of b's values in the direction of a; nothing where the directions are not parallel.
 std::optional<double> common_sign(const ComparedPlace& a, const ComparedPlace& b) {
   if (!a.direction || !b.direction) return 1;
-  double cosine = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) cosine += a.direction->at(axis) * b.direction->at(axis);
-  if (std::abs(cosine) < kParallel) return std::nullopt;
+  const Coordinates &x = *a.direction, &y = *b.direction;
+  const double cosine =
+      (x[0] * y[0] + x[1] * y[1] + x[2] * y[2]) / (std::hypot(x[0], x[1], x[2]) * std::hypot(y[0], y[1], y[2]));
+  if (!(std::abs(cosine) >= kParallel)) return std::nullopt;
   return cosine < 0 ? -1 : 1;
 }
 
@@ -87,7 +89,9 @@ std::map<int, MatchedPoint> by_coordinates(const ComparedDocument& a, const Comp
     int a = 0, b = 0;
     double sign = 1;
   };
+  if (of_a.size() > kMaxCompared / of_b.size()) return {};
   const double tolerance = tolerance_m(of_a.size() <= of_b.size() ? of_a : of_b);
+  if (!(tolerance > 0)) return {};  // all points are at one place
   std::vector<Candidate> candidates;
   for (const auto& [point_a, xyz_a] : of_a) {
     for (const auto& [point_b, xyz_b] : of_b) {

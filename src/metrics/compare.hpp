@@ -83,7 +83,7 @@ struct ModePair {
   std::optional<double> damping_difference_percent{};  // where both state a damping ratio above zero
   std::optional<double> damping_difference_std_percent{};
   std::optional<identify::Mac> mac{};         // where both modes have shapes
-  std::vector<std::size_t> exchangeable_a{};  // modes of other pairs by frequency, whose partner may be b; ascending
+  std::vector<std::size_t> exchangeable_a{};  // modes of other pairs whose partner may be b instead; ascending
 };
 
 struct PairedModes {
@@ -92,16 +92,20 @@ struct PairedModes {
   std::vector<DoubtedOrders> doubted_orders;
 };
 
-/// Pairs the modes of two documents. Only modes whose frequencies differ by at most PairOptions::furthest pair, or
-/// furthest_of_orders by order. Two modes with shapes at three common places or more pair by shape only, the best MAC
-/// first. Modes whose shapes cannot be compared pair by family and order where CommonOrders holds: equal orders, and of
-/// several peaks of one order (3a and 3b) the lower with the lower, however far apart they are. Where one document has
-/// more peaks of an order, its upper ones have no partner; the first peak of a split mode stands for it. The remaining
-/// modes pair by frequency, in ascending order: the number of pairs is maximised, then the sum of |ln(f_b/f_a)| is
-/// minimised. A bending mode never pairs with a hoop mode. Modes of 0 Hz (rigid-body modes) are left out. Two modes
-/// that crossed are exchanged by their frequencies, which cannot show it. Two pairs that are not by shape are named as
-/// exchangeable where their modes may pair crosswise, and if the two modes of one document lie no further apart than
-/// the two modes of one of the pairs. Shapes are compared at equal points: see common_places().
+/// Pairs the modes of two documents, by shape, then by order, then by frequency. A bending mode never pairs with a hoop
+/// mode. Modes of 0 Hz (rigid-body modes) are left out.
+///   shape      Two modes with shapes at three common places or more pair by shape only, the best MAC first, if their
+///              frequencies differ by at most PairOptions::furthest. Shapes are compared at equal points: see
+///              common_places().
+///   order      Modes of equal family and order pair if CommonOrders::hold, and if their frequencies differ by at most
+///              furthest_of_orders. Of several peaks of one order (3a and 3b), the lower pairs with the lower, however
+///              far apart they are. If one document has more peaks of an order, its upper peaks have no partner; the
+///              first peak of a split mode stands for it.
+///   frequency  The remaining modes pair in ascending order, up to PairOptions::furthest apart: the number of pairs is
+///              maximised, then the sum of |ln(f_b/f_a)| is minimised.
+/// Frequencies cannot show that two modes changed places. Two pairs without a MAC are therefore named as exchangeable
+/// if their modes could also pair crosswise, and if the two modes of one document lie no further apart than the two
+/// modes of one of the pairs.
 PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options = {});
 
 /// The MAC of two modes at their common places; nothing for fewer than three.

@@ -135,10 +135,9 @@ std::optional<std::vector<double>> distances_m(const acquire::Record& record, co
   std::vector<double> out;
   const acquire::GeometryPoint* first = nullptr;
   for (const int point : points) {
-    const auto at = std::find_if(geometry->points.begin(), geometry->points.end(),
-                                 [&](const acquire::GeometryPoint& one) { return one.point == point; });
-    if (at == geometry->points.end() || (!geometry->tube && !at->xyz_m)) return std::nullopt;
-    if (first == nullptr) first = &*at;
+    const acquire::GeometryPoint* at = acquire::find_point(*geometry, point);
+    if (at == nullptr || (!geometry->tube && !at->xyz_m)) return std::nullopt;
+    if (first == nullptr) first = at;
     if (geometry->tube) {
       out.push_back(std::abs(at->position_m - first->position_m));
     } else {

@@ -98,9 +98,8 @@ ScanPositions positions_of_geometry(const std::vector<std::vector<double>>& geom
   std::vector<double> position_m;
   std::vector<std::array<double, 3>> xyz_m;
   for (const int point : points) {
-    const auto at = std::find_if(known->points.begin(), known->points.end(),
-                                 [&](const acquire::GeometryPoint& one) { return one.point == point; });
-    if (at == known->points.end()) throw refuse(fmt::format("the record's geometry lacks point {}", point));
+    const acquire::GeometryPoint* at = acquire::find_point(*known, point);
+    if (at == nullptr) throw refuse(fmt::format("the record's geometry lacks point {}", point));
     position_m.push_back(at->position_m);
     if (at->xyz_m) xyz_m.push_back(*at->xyz_m);
   }

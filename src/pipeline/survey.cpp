@@ -111,12 +111,8 @@ void Survey::place_points() {
   add(missing_points(*geometry_, measured, matched_, record.files.size()));
 }
 
-const acquire::GeometryPoint* Survey::geometry_point(int point) const {
-  if (!geometry_) return nullptr;
-  const int place = place_of(static_cast<std::size_t>(point));
-  const auto at = std::find_if(geometry_->points.begin(), geometry_->points.end(),
-                               [&](const acquire::GeometryPoint& one) { return one.point == place; });
-  return at == geometry_->points.end() ? nullptr : &*at;
+const acquire::GeometryPoint* Survey::geometry_point(std::size_t point) const {
+  return geometry_ ? acquire::find_point(*geometry_, place_of(point)) : nullptr;
 }
 
 int Survey::stated_number(int point) const {

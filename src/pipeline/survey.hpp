@@ -47,7 +47,7 @@ class Survey {
   /// The place of a point in the geometry.
   int place_of(std::size_t point) const;
   /// The point of geometry() at the place of a measured point; nullptr without one.
-  const acquire::GeometryPoint* geometry_point(int point) const;
+  const acquire::GeometryPoint* geometry_point(std::size_t point) const;
   /// The number that the geometry's file has for a point of geometry(), whose numbers are the record's.
   int stated_number(int point) const;
 

@@ -93,7 +93,7 @@ std::string shapes_csv(const pipeline::Survey& survey) {
                      name_of(classification.type),
                      classification.order > 0 ? fmt::format("{}", classification.order) : "", place.point,
                      place.channel);
-      const acquire::GeometryPoint* at = geometry_point_of(survey, place.point);
+      const acquire::GeometryPoint* at = survey.geometry_point(place.point);
       const bool tube = at != nullptr && survey.geometry()->tube;
       out += tube ? fmt::format("{},{},", at->position_m, at->angle_rad * kRadian_deg) : ",,";
       const auto xyz = plot_position(survey, place.point);

@@ -142,6 +142,43 @@ TEST(CommonPlaces, TurnsOppositeDirectionsOfEqualNumbers) {
   EXPECT_NEAR(mac_of(a, b), 1, kRounding);
 }
 
+// Foreign documents may state directions of any length.
+TEST(CommonPlaces, ComparesDirectionsOfAnyLength) {
+  const Coordinates up{0, 0, 0.5}, down{0, 0, -3};
+  std::map<int, ComparedPlace> a = along_a_line(), b = along_a_line();
+  for (int p = 0; p < 5; ++p) {
+    a[p].direction = up;
+    b[p].direction = down;
+  }
+  const CommonPlaces common = common_places(document_of({{0, 1}, {1, 2}, {2, -1}, {3, 0.5}, {4, 3}}, a),
+                                            document_of({{0, 1}, {1, 2}, {2, -1}, {3, 0.5}, {4, 3}}, b));
+  EXPECT_EQ(common.by, PlacesMatchedBy::coordinates);
+  ASSERT_EQ(common.of_b.size(), 5U);
+  EXPECT_EQ(common.of_b.at(0).sign, -1);
+}
+
+// Coordinates of 0 for every point say nothing.
+TEST(CommonPlaces, DoesNotBelieveOnePlaceOfAllPoints) {
+  std::map<int, ComparedPlace> places;
+  for (int p = 0; p < 4; ++p) places[p] = at(p, Coordinates{0, 0, 0});
+  const auto a = document_of({{0, 1}, {1, 2}, {2, -1}, {3, 3}}, places);
+  EXPECT_EQ(common_places(a, a).by, PlacesMatchedBy::numbers);
+}
+
+// All pairs of so many points would take minutes, and much memory where they are at two places.
+TEST(CommonPlaces, ComparesNoCoordinatesOfTooManyPoints) {
+  std::map<int, ComparedPlace> places;
+  std::map<int, double> shape;
+  for (int p = 0; p < 20000; ++p) {
+    places[p] = at(p, Coordinates{p % 2 == 0 ? 0.0 : 1.0, 0, 0});
+    shape[p] = p;
+  }
+  const auto a = document_of(shape, places);
+  const CommonPlaces common = common_places(a, a);
+  EXPECT_EQ(common.by, PlacesMatchedBy::numbers);
+  EXPECT_EQ(common.of_b.size(), 20000U);
+}
+
 TEST(CommonPlaces, HasNoneWithoutShapes) {
   const CommonPlaces common = common_places(document_of({}), document_of({{0, 1}}));
   EXPECT_TRUE(common.of_b.empty());

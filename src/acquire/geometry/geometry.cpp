@@ -169,4 +169,10 @@ std::string geometry_example() {
   return text;
 }
 
+const GeometryPoint* find_point(const Geometry& geometry, int point) {
+  const auto at = std::find_if(geometry.points.begin(), geometry.points.end(),
+                               [&](const GeometryPoint& one) { return one.point == point; });
+  return at == geometry.points.end() ? nullptr : &*at;
+}
+
 }  // namespace percuss::acquire

@@ -47,6 +47,9 @@ Geometry parse_geometry(std::string_view text, const std::string& where);
 /// row i is point i. Nothing for an empty one.
 std::optional<Geometry> geometry_of_record(const std::vector<std::vector<double>>& rows);
 
+/// The point of this number; nullptr without one.
+const GeometryPoint* find_point(const Geometry& geometry, int point);
+
 /// Fills position, angle and radius of points whose coordinates lie in rings around an axis parallel to x, y or z
 /// through their mean. The position is the coordinate along the axis. The angle counts from the next axis (y for x, z
 /// for y, x for z) towards the one after. Changes nothing where they do not lie in rings.

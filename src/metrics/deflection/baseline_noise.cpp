@@ -123,9 +123,11 @@ BaselineNoise::BaselineNoise(const BaselineEstimate& rest, const MovingSignal& s
   for (std::size_t i = 0; i < at_rest.size(); ++i) {
     if (at_rest[i] > most - kExcluded) strongest = flicker_strength_at(i);
   }
-  const double white = 2 * sample_noise_mps2_ * sample_noise_mps2_ / fs_Hz_;
-  const auto motion_Hz = strongest_motion_Hz(signal.accel_mps2, fs_Hz_, white, strongest);
-  if (signal.may_return && motion_Hz) observe_windows(signal, *motion_Hz);
+  if (signal.may_return) {
+    const double white = 2 * sample_noise_mps2_ * sample_noise_mps2_ / fs_Hz_;
+    const auto motion_Hz = strongest_motion_Hz(signal.accel_mps2, fs_Hz_, white, strongest);
+    if (motion_Hz) observe_windows(signal, *motion_Hz);
+  }
   const Index all = seen_.value.size();
   std::vector<double> likelihoods = at_rest;
   if (all > at_rest_) {

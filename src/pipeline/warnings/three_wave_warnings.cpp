@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "core/io/counted_words.hpp"
+
 namespace percuss::pipeline {
 namespace {
 
@@ -13,21 +15,17 @@ constexpr std::size_t kMaxThreeWaves = 4;  // modes that the message names
 
 std::vector<Warning> three_wave_warnings(const std::vector<identify::Mode>& modes,
                                          const std::vector<identify::ModeClassification>& classifications) {
-  std::string named;
-  std::size_t count = 0;
+  std::vector<std::string> named;
   for (std::size_t m = 0; m < classifications.size(); ++m) {
-    if (!classifications[m].possible_three_waves) continue;
-    ++count;
-    if (count <= kMaxThreeWaves)
-      named += fmt::format("{}mode {} ({:.5g} Hz)", count > 1 ? ", " : "", m + 1, modes[m].pole.freq_Hz);
+    if (classifications[m].possible_three_waves)
+      named.push_back(fmt::format("mode {} ({:.5g} Hz)", m + 1, modes[m].pole.freq_Hz));
   }
-  if (count == 0) return {};
-  if (count > kMaxThreeWaves) named += fmt::format(" and {} more", count - kMaxThreeWaves);
+  if (named.empty()) return {};
   return {with_remedy(
       {"three_waves", fmt::format("{} may have three waves around the barrel (n = 3): above twice the lowest hoop "
-                                  "frequency two sensors cannot tell this from bending, and the bending orders "
-                                  "below do not decide it",
-                                  named)},
+                                  "frequency, two sensors cannot tell this from bending, and the bending orders below "
+                                  "do not decide it",
+                                  limited_list(named.size(), kMaxThreeWaves, [&](std::size_t i) { return named[i]; }))},
       "strike a ring of points around the barrel, as a survey with angles")};
 }
 

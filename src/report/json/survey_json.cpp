@@ -82,7 +82,7 @@ Json places_json(const pipeline::Survey& survey) {
                            : named;
     known = known || number != point;
     Json json{{"point", point}, {"number", number}};
-    const acquire::GeometryPoint* place = survey.geometry_point(point);
+    const acquire::GeometryPoint* place = survey.geometry_point(static_cast<std::size_t>(point));
     if (place != nullptr && place->xyz_m) {
       json["x_m"] = place->xyz_m->at(0);
       json["y_m"] = place->xyz_m->at(1);

@@ -90,17 +90,8 @@ void add_stated_directions(const pipeline::Survey& survey, PlotMesh& mesh) {
 
 }  // namespace
 
-const acquire::GeometryPoint* geometry_point_of(const pipeline::Survey& survey, std::size_t point) {
-  if (!survey.geometry()) return nullptr;
-  const auto& points = survey.geometry()->points;
-  const int place = survey.place_of(point);
-  const auto found =
-      std::find_if(points.begin(), points.end(), [&](const acquire::GeometryPoint& p) { return p.point == place; });
-  return found == points.end() ? nullptr : &*found;
-}
-
 std::optional<std::array<double, 3>> plot_position(const pipeline::Survey& survey, std::size_t point) {
-  const acquire::GeometryPoint* place = geometry_point_of(survey, point);
+  const acquire::GeometryPoint* place = survey.geometry_point(point);
   if (place == nullptr) return std::nullopt;
   if (place->xyz_m) return place->xyz_m;
   const double radius_m = drawn_radius_m(*survey.geometry(), *place);
@@ -110,7 +101,7 @@ std::optional<std::array<double, 3>> plot_position(const pipeline::Survey& surve
 PlotMesh plot_mesh(const pipeline::Survey& survey) {
   PlotMesh mesh;
   for (const identify::ShapePlace& place : survey.shapes().front().places) {
-    if (geometry_point_of(survey, place.point) != nullptr) mesh.index.emplace(survey.place_of(place.point), 0);
+    if (survey.geometry_point(place.point) != nullptr) mesh.index.emplace(survey.place_of(place.point), 0);
   }
   for (auto& [number, index] : mesh.index) {
     index = mesh.points.size();

@@ -10,9 +10,6 @@
 
 namespace percuss::report {
 
-/// The place of a point in the survey's geometry; nullptr if the geometry lacks it.
-const acquire::GeometryPoint* geometry_point_of(const pipeline::Survey& survey, std::size_t point);
-
 /// A point's coordinates for drawing: its own, or from its position on the tube (axis along x); nothing if not known. A
 /// tube whose radius is not stated is drawn with the radius of a bat's barrel, limited to 5 to 50 % of its length.
 std::optional<std::array<double, 3>> plot_position(const pipeline::Survey& survey, std::size_t point);

@@ -64,9 +64,8 @@ const char* effort_sentence(identify::Effort effort, const std::vector<identify:
   const JointOutcome joint = joint_fit_of(modes);
   if (effort == identify::Effort::best && joint == JointOutcome::worse) {
     return "A fit of all modes together to all lines of all FRFs was tried (effort best; (4.8) to (4.10)). Around each "
-           "mode, it leaves more residual than a fit over the mode's own spectral lines ((4.2), (4.14)): all modes "
-           "keep "
-           "these fits.";
+           "mode, it leaves more residual than a fit over the mode's own spectral lines ((4.2), (4.14)): all "
+           "modes keep these fits.";
   }
   if (effort == identify::Effort::best && joint == JointOutcome::unsettled) {
     return "A fit of all modes together to all lines of all FRFs was tried (effort best; (4.8) to (4.10)) and did not "

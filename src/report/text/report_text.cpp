@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kIndent = 2, kMaxWarningBytes = 4000;
 
-// Paragraphs of a page. The first paragraph is the verdict; consecutive warnings form one list.
+// Paragraphs of a page. The first paragraph is the verdict, unless a table stands above it; consecutive warnings form
+// one list.
 class Html {
  public:
   void paragraph(const std::string& line) {
@@ -33,6 +34,7 @@ class Html {
   }
   void table(const TextTable& table) {
     end_list();
+    first_ = false;
     out_ += table.html();
   }
   std::string text() {

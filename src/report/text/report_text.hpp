@@ -25,7 +25,8 @@ class ReportText {
   /// For a terminal of `width` columns. `write` appends the options of sentences and warnings; nullptr leaves
   /// them out. `warnings` = false leaves out the warnings, and the blank lines before them at the end.
   std::string text(std::size_t width, OptionWriter write = nullptr, bool warnings = true) const;
-  /// As elements of HTML: the first line as the verdict, then paragraphs, tables and warnings.
+  /// As elements of HTML: the first line as the verdict, if no table stands above it, then paragraphs, tables and
+  /// warnings.
   std::string html() const;
 
  private:

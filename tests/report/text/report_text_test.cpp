@@ -27,6 +27,16 @@ TEST(ReportText, PrintsTheSameOnTerminalAndPage) {
             "<li>beware again</li>\n</ul>\n");
 }
 
+// A remark below a table is no verdict.
+TEST(ReportText, HasNoVerdictBelowATable) {
+  TextTable table({{"n"}});
+  table.add({"1"});
+  ReportText text;
+  text += table;
+  text.say("a remark");
+  EXPECT_THAT(text.html(), testing::EndsWith("</table>\n<p>a remark</p>\n"));
+}
+
 // A table of many columns fits into the width of the page with smaller letters.
 TEST(ReportText, MarksWideTables) {
   const auto table_of = [](std::size_t columns) {
