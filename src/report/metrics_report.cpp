@@ -68,27 +68,27 @@ std::string missing_errors_text(const metrics::UncertainValue& value) {
                      fmt::join(names, ", "));
 }
 
+std::string verdict(std::size_t computed, std::size_t all) {
+  if (computed == 0) return "no metric follows from these readings\n";
+  if (computed == all) return "all metrics follow from these readings\n";
+  return fmt::format("{} of {} metrics follow{} from these readings; the others need more\n", computed, all,
+                     computed == 1 ? "s" : "");
+}
+
 ReportText text_of_metrics(const std::vector<MetricLine>& lines, const metrics::BatMetrics& m,
                            const std::vector<metrics::Warning>& warnings) {
   TextTable table({{"number"}, {"value", TextTable::Align::right}, {"unit"}, {"from"}});
-  std::size_t absent = 0;
+  std::size_t computed = 0;
   for (const MetricLine& line : lines) {
-    if (!line.value) {
-      ++absent;
-      continue;
-    }
+    if (!line.value) continue;
+    ++computed;
     table.add({line.title, value_with_std(line.value->value(), std_without_rounding(*line.value)), line.unit,
                line.equation + missing_errors_text(*line.value)});
   }
   ReportText out;
-  if (absent == lines.size()) {
-    out += "no metric follows from these readings\n";
-  } else {
-    out += table;
-  }
+  out += verdict(computed, lines.size());
+  if (computed > 0) out += table;
   if (m.drop_class) out += fmt::format("class {}\n", *m.drop_class);
-  if (absent > 0 && absent < lines.size())
-    out += fmt::format("{} more metrics need readings that are missing\n", absent);
   for (const metrics::Warning& warning : warnings) {
     if (warning.severity == warnings::Severity::reject) {
       out.warn({warning.message, warning.options});
