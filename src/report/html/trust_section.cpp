@@ -113,6 +113,7 @@ constexpr auto kPlaces = std::to_array<PlacedCode>({
     {"disturbed_decay", PagePart::response},
     {"unmodelled_poles", PagePart::stabilisation},
     {"start_refused", PagePart::stabilisation},
+    {"start_between", PagePart::stabilisation},
     {"sensor_on_node", PagePart::shapes},
     {"sensors_disagree", PagePart::shapes},
     {"driving_point_numbers", PagePart::shapes},
