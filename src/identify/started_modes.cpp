@@ -76,6 +76,7 @@ class StartedSearch {
     while (!try_starts(out.modes)) {
     }
     out.refused = std::move(refused_);
+    out.joined = std::move(joined_);
     return out;
   }
 
@@ -116,9 +117,25 @@ class StartedSearch {
            std::abs(from_named_Hz) > kAtMode * std::abs(between_Hz);
   }
 
+  // The starts that stand for two modes found, with these modes.
+  std::vector<JoinedModes> joined_modes() const {
+    std::vector<JoinedModes> joined;
+    const std::vector<Pole> poles = poles_of_modes(found_);
+    const auto named = modes_of_starts(set_.lines, found_, start_Hz_);
+    for (std::size_t s = 0; s < start_Hz_.size(); ++s) {
+      for (std::size_t m = 0; named[s] && m < found_.size(); ++m) {
+        const bool free = std::find(named.begin(), named.end(), std::optional(m)) == named.end();
+        if (!free || !stands_for_both(start_Hz_[s], poles[*named[s]], poles[m])) continue;
+        joined.push_back({start_Hz_[s], std::minmax({poles[*named[s]].freq_Hz, poles[m].freq_Hz})});
+      }
+    }
+    return joined;
+  }
+
   // True if no start was refused: `modes` are then complete.
   bool try_starts(std::vector<Mode>& modes) {
     const StartsToFit to_fit = starts_to_fit();
+    joined_ = joined_modes();
     modes = found_;
     if (to_fit.starts.empty()) return true;
     std::vector<double> asked_Hz;
@@ -218,6 +235,7 @@ class StartedSearch {
   Effort effort_;
   std::vector<double> apart_Hz_;  // starts between two modes that stay separate modes
   std::vector<RefusedStart> refused_;
+  std::vector<JoinedModes> joined_;  // of the last pass
 };
 
 }  // namespace

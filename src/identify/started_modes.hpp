@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "identify/model/effort.hpp"
@@ -10,10 +11,17 @@
 
 namespace percuss::identify {
 
+/// A start for which one mode was fitted in the place of two close modes of the search.
+struct JoinedModes {
+  double asked_Hz = 0;
+  std::pair<double, double> found_Hz;  // of the two modes, ascending
+};
+
 /// The modes of a search and of stated frequencies.
 struct StartedModes {
   std::vector<Mode> modes;            // ascending; also the modes of the search that no start names
   std::vector<RefusedStart> refused;  // starts without a mode
+  std::vector<JoinedModes> joined;    // starts whose mode stands for two
 };
 
 /// Adds the modes of the starts that name no mode of `found`, the modes of a search. A start names the nearest mode

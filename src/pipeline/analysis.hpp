@@ -194,6 +194,7 @@ class Analysis {
   mutable std::vector<identify::Mode> band_modes_;              // all within the band, if modes_ holds a part of them
   mutable std::vector<identify::Mode> unlisted_modes_;          // within the band, named by no starting frequency
   mutable std::vector<identify::RefusedStart> refused_starts_;  // set with modes_
+  mutable std::vector<identify::JoinedModes> joined_modes_;     // by starting frequencies; set with modes_
   // The end of the lines towards which the residual of misfitting modes grows; set with modes_
   mutable std::optional<double> residual_end_Hz_;
   // unmodelled_poles of all modes, where the search around unmodelled resonances added no mode; set with modes_

@@ -37,6 +37,7 @@ void Analysis::add_started_modes(std::vector<identify::Mode>& found) const {
       identify::with_started_modes(fitted_frfs(), std::move(found), start_Hz, options_.modes.effort);
   found = std::move(started.modes);
   refused_starts_ = std::move(started.refused);
+  joined_modes_ = std::move(started.joined);
 }
 
 void Analysis::keep_started_modes(std::vector<identify::Mode>& modes) const {

@@ -132,6 +132,7 @@ std::vector<Warning> Analysis::warnings_of_modes(const HitEvidence& evidence) co
   append(out, no_modes_warnings(modes(), band_Hz(), !options_.modes.start_Hz.empty()));
   if (!user_chose_modes) append(out, local_fit_warnings(modes()));
   append(out, refused_start_warnings(refused_starts_));
+  append(out, joined_mode_warnings(joined_modes_));
   if (!user_chose_modes) append(out, unmodelled_peak_warnings(unexplained_peaks(), band_Hz()));
   append(out, unmodelled_pole_warnings(unmodelled_poles(), band_Hz()));
   if (!options_.band_Hz && !user_chose_modes) append(out, below_band_warnings(margin_modes_, band_Hz()));

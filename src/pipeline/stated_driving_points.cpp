@@ -21,7 +21,7 @@ struct NumberMeaning {
 std::vector<NumberMeaning> meanings_of(const PointNumbering& numbering) {
   using enum NumberMeaning::Kind;
   std::vector<NumberMeaning> out;
-  if (const auto numbers = numbers_in_names(numbering.files)) {
+  if (const auto numbers = numbers_in_names(numbering.files, numbering.geometry)) {
     NumberMeaning named{.kind = names, .point_of = {}};
     for (std::size_t i = 0; i < numbers->size(); ++i) named.point_of[(*numbers)[i]] = static_cast<int>(i);
     out.push_back(std::move(named));

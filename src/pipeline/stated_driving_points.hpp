@@ -22,6 +22,7 @@ struct PointNumbering {
   std::set<int> points;              // numbers in the record and in the results
   std::vector<std::string> files{};  // of the points 0, 1, …; empty where the files state the numbers of their points
   bool geometry_from_one = false;    // the geometry's numbers are above the record's by one
+  std::set<int> geometry{};          // the numbers in a stated geometry; they tell which numbers in names are points
 };
 
 struct DrivingPoints {

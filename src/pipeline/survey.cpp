@@ -126,12 +126,15 @@ void Survey::find_driving_points() {
   driving_ = options_.driving;
   if (!options_.stated_driving.empty()) {
     const acquire::Record& record = analysis_.record();
-    DrivingPoints found = driving_points_of(
-        options_.stated_driving,
-        {.points = points,
-         .files = files_of_points(record, points),
-         .geometry_from_one = matched_.numbers == GeometryNumbers::from_one && record.motions.empty()},
-        record.source());
+    std::set<int> stated;
+    for (const auto& [point, number] : matched_.stated) stated.insert(number);
+    DrivingPoints found =
+        driving_points_of(options_.stated_driving,
+                          {.points = points,
+                           .files = files_of_points(record, points),
+                           .geometry_from_one = matched_.numbers == GeometryNumbers::from_one && record.motions.empty(),
+                           .geometry = std::move(stated)},
+                          record.source());
     driving_.insert(driving_.end(), found.points.begin(), found.points.end());
     geometry_warnings_.insert(geometry_warnings_.end(), found.warnings.begin(), found.warnings.end());
   }

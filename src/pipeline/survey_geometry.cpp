@@ -42,7 +42,7 @@ Warning files_in_order(const std::vector<std::string>& files, int first) {
 
 [[noreturn]] void refuse_names(const std::set<int>& known, const std::vector<std::string>& files,
                                const std::string& where) {
-  const std::vector<int> numbers = numbers_in_names(files).value_or(std::vector<int>{});
+  const std::vector<int> numbers = numbers_in_names(files, known).value_or(std::vector<int>{});
   std::vector<std::size_t> unknown;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (!known.contains(numbers[i])) unknown.push_back(i);
@@ -71,11 +71,11 @@ MatchedPoints match_point_numbers(acquire::Geometry& geometry, const std::set<in
   std::vector<int> before;
   for (const acquire::GeometryPoint& p : geometry.points) before.push_back(p.point);
   const bool from_one = out.numbers == GeometryNumbers::from_one;
-  if (out.numbers == GeometryNumbers::file_names) number_as_files(geometry, numbers_in_names(files).value());
+  if (out.numbers == GeometryNumbers::file_names) number_as_files(geometry, numbers_in_names(files, stated).value());
   if (from_one) acquire::shift_points(geometry, -1);
   for (std::size_t i = 0; i < before.size(); ++i) out.stated[geometry.points[i].point] = before[i];
   const bool in_order = from_one || out.numbers == GeometryNumbers::record;
-  if (in_order && out.stated.contains(0) && numbers_in_names(files)) {
+  if (in_order && out.stated.contains(0) && numbers_in_names(files, stated)) {
     out.warnings.push_back(files_in_order(files, out.stated.at(0)));
   } else if (from_one) {
     out.warnings.push_back({"points_from_one",
@@ -136,8 +136,12 @@ std::vector<Warning> missing_points(const acquire::Geometry& geometry, const std
   if (matched.numbers == GeometryNumbers::file_names) {
     warning.message += "; each file is the point of the number in its name";
   } else if (files > 1) {
-    warning.message += "; files taken as points are numbered in the order of their names, without gaps";
+    warning.message +=
+        "; files taken as points are numbered in the order of their names, without gaps: if the file of one is "
+        "missing, all later points are at wrong places";
     warning.options.emplace_back("files");
+    warning.severity = warnings::Severity::warn;
+    warning = with_remedy(std::move(warning), "name the files by the geometry's numbers");
   }
   return {std::move(warning)};
 }

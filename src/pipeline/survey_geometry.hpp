@@ -32,8 +32,8 @@ void require_points(const acquire::Geometry& geometry, const std::set<int>& meas
                     const MatchedPoints& matched = {}, const std::vector<std::string>& files = {});
 
 /// missing_points: the points of a matched geometry that were not measured, because the survey is a part or a file is
-/// missing. Without numbers in the names, a missing file shifts the points of all later files. `files`: number of
-/// files.
+/// missing. Without numbers in the names, a missing file shifts the points of all later files: the severity is then
+/// `warn`. `files`: number of files.
 std::vector<Warning> missing_points(const acquire::Geometry& geometry, const std::set<int>& measured,
                                     const MatchedPoints& matched, std::size_t files);
 

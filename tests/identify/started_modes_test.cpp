@@ -124,6 +124,12 @@ TEST(StartedModes, FitOneModeAtAStartBetweenTwoThatWereFound) {
   const StartedModes started = with_started_modes(set, found, {150, 400.1}, Effort::best);
   EXPECT_TRUE(started.refused.empty());
   test::expect_modes_near(started.modes, {{150, 0.01}, {400, 0.006}});
+  ASSERT_EQ(started.joined.size(), 1U);
+  EXPECT_EQ(started.joined[0].asked_Hz, 400.1);
+  EXPECT_EQ(started.joined[0].found_Hz, std::pair(found[1].pole.freq_Hz, found[2].pole.freq_Hz));
+  // A start near one of the two names it, and both starts name both.
+  EXPECT_TRUE(with_started_modes(set, found, {150, found[1].pole.freq_Hz + 0.1}, Effort::best).joined.empty());
+  EXPECT_TRUE(with_started_modes(set, found, {400.1, found[2].pole.freq_Hz}, Effort::best).joined.empty());
 }
 
 TEST(ModesAtStarts, AreNamedByTheNearestStartAndOnlyWithinABandwidth) {

@@ -52,6 +52,7 @@ TEST(SurveyGeometry, NamesPointsWithoutMeasurement) {
   const auto warnings = missing_points(triangle(0), {0, 2}, {}, 3);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_THAT(warnings.front().message, testing::StartsWith("1 of the geometry's 3 points were not measured: 1;"));
+  EXPECT_EQ(warnings.front().severity, warnings::Severity::warn) << "a missing file moves all later points";
   // The order of files explains nothing where one file states its points.
   EXPECT_EQ(missing_points(triangle(0), {0, 2}, {}, 1).at(0).message,
             "1 of the geometry's 3 points were not measured: 1");
@@ -73,9 +74,21 @@ TEST(SurveyGeometry, TakesTheNumbersInTheNamesOfFiles) {
     EXPECT_NO_THROW(require_points(geometry, {0, 1}, "geo.csv", matched, files));
     const auto missing = missing_points(geometry, {0, 1}, matched, files.size());
     ASSERT_EQ(missing.size(), 1U);
+    EXPECT_FALSE(missing.front().severity.has_value()) << "as ranked: info";
     EXPECT_EQ(missing.front().message,
               "1 of the geometry's 3 points were not measured: 2; each file is the point of the number in its name");
   }
+}
+
+TEST(SurveyGeometry, TakesTheNumbersInTheNamesThatItHas) {
+  acquire::Geometry geometry = triangle(1);
+  const std::vector<std::string> files{"M151_P1.csv", "M157_P3.csv"};
+  const MatchedPoints matched = match_point_numbers(geometry, {0, 1}, files);
+  EXPECT_EQ(matched.numbers, GeometryNumbers::file_names);
+  EXPECT_THAT(matched.warnings, IsEmpty());
+  EXPECT_EQ(geometry.points[2].point, 1) << "the place of P3";
+  EXPECT_EQ(missing_points(geometry, {0, 1}, matched, files.size()).at(0).message,
+            "1 of the geometry's 3 points were not measured: 2; each file is the point of the number in its name");
 }
 
 TEST(SurveyGeometry, RefusesAFileWhoseNumberItLacks) {

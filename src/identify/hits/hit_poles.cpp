@@ -218,10 +218,10 @@ bool has_repeated_points(const std::vector<std::size_t>& points) {
 
 std::vector<Mode> modes_with_residues_of_hits(const FrfDataset& set, const HitFrfs& hits,
                                               const std::vector<Mode>& modes, const std::vector<HitPoles>& linear) {
-  const auto scatters = [](const HitPoles& poles) {
+  const auto scatters = [&](const HitPoles& poles) {
     std::vector<ResidueRatio> ratios;
     for (const HitPole& hit : poles.hits) ratios.push_back(hit.residue_ratio);
-    return scatter_clearly(ratios);
+    return scatter_clearly(ratios, hits.points);
   };
   if (std::none_of(linear.begin(), linear.end(), scatters)) return {};
   FrfDataset each = hits.set;  // the FRFs of the single hits

@@ -48,7 +48,8 @@ bool has_repeated_points(const std::vector<std::size_t>& points);
 
 /// The modes with the residues of the single hits, [channels of hits.set], all fitted together at the modes' poles: a
 /// blow in another direction changes the residues. `linear`: from linearised_hit_poles(). Empty if no residue ratios of
-/// `linear` scatter clearly between the hits: each hit then has the residues of the test, which are more accurate.
+/// `linear` scatter clearly between the hits of a point: each hit then has the residues of the test, which are more
+/// accurate.
 std::vector<Mode> modes_with_residues_of_hits(const FrfDataset& set, const HitFrfs& hits,
                                               const std::vector<Mode>& modes, const std::vector<HitPoles>& linear);
 

@@ -46,7 +46,8 @@ struct ModeScatter {
   Known known;
   ScatterOfHits freq, damping;
   bool freq_differs = false, damping_differs = false;
-  double freq_p = 1, damping_p = 1;                 // p-values of the differences
+  bool points_differ = false;        // by more than the noise, and single hits of the points do not show why
+  double freq_p = 1, damping_p = 1;  // p-values of the differences
   double damping_shift = 0, damping_shift_std = 0;  // by which take_mean() changed the mode
   bool significant() const { return freq_differs || damping_differs; }
   HitSeries series(std::size_t mode, bool is_freq) const {
@@ -59,15 +60,14 @@ struct ModeScatter {
 };
 
 // Whether hits of one point differ: χ² of the orthogonal contrasts of each point's hits, each hit against the mean of
-// the hits before it. Nothing unless two points have several hits. Values of different points may differ although no
-// pole changes, because the residual moves the poles of the hits by a different amount at each point.
+// the hits before it. Nothing if no point has several hits. Values of different points may differ although no pole
+// changes, because the residual moves the poles of the hits by a different amount at each point.
 std::optional<bool> hits_of_a_point_differ(const HitSeries& series, const std::vector<std::size_t>& points) {
   struct Mean {
     double value = 0, variance = 0;
     std::size_t hits = 0;
   };
   std::map<std::size_t, Mean> means;
-  std::set<std::size_t> repeated;
   double chi2 = 0, degrees = 0;
   for (std::size_t i = 0; i < series.hits.size(); ++i) {
     Mean& mean = means[points[series.hits[i]]];
@@ -75,13 +75,12 @@ std::optional<bool> hits_of_a_point_differ(const HitSeries& series, const std::v
     if (mean.hits > 0) {
       chi2 += std::pow(series.value[i] - mean.value, 2) / (variance + mean.variance);
       ++degrees;
-      repeated.insert(points[series.hits[i]]);
     }
     mean.value += (series.value[i] - mean.value) / (n + 1);
     mean.variance = (mean.variance * n * n + variance) / ((n + 1) * (n + 1));
     ++mean.hits;
   }
-  if (repeated.size() < 2) return std::nullopt;
+  if (degrees == 0) return std::nullopt;
   return chi2_deviate(chi2, degrees) > kOnceIn1000;
 }
 
@@ -90,13 +89,16 @@ ModeScatter scatter_of_mode(const HitPoles& poles, const std::vector<double>& pe
                             const std::vector<std::size_t>& points) {
   ModeScatter scatter{.known = known_of(poles), .freq = {}, .damping = {}};
   if (scatter.known.hits.size() < kMinHits) return scatter;
+  const bool one_point = std::set<std::size_t>(points.begin(), points.end()).size() == 1;
   scatter.freq = scatter_of_hits(scatter.known.freq_Hz, scatter.known.freq_std_Hz);
   scatter.damping = scatter_of_hits(scatter.known.damping, scatter.known.damping_std);
   const auto test = [&](const ScatterOfHits& of, bool is_freq, bool& differs, double& p_value) {
     const HitSeries series = scatter.series(0, is_freq);
     const double trend = trend_deviate(series, peak_N);
     const bool any = of.deviate > kOnceIn1000 || trend > kSignificantTrend;
-    differs = any && (hits_of_a_point_differ(series, points).value_or(true) || follows_a_law(series, peak_N));
+    const auto repeated = one_point ? std::optional(true) : hits_of_a_point_differ(series, points);
+    differs = any && (repeated.value_or(false) || follows_a_law(series, peak_N));
+    scatter.points_differ = scatter.points_differ || (any && !repeated);
     // Two tests: of χ², and of two slopes to both sides.
     p_value = std::min(1.0, 2 * std::min(upper_tail(of.deviate), 4 * upper_tail(trend)));
   };
@@ -165,9 +167,6 @@ void fit_each_hit(const FittedHits& to, const ModeWindow& window, std::vector<Mo
     if (!scatter[m].significant() || again.known.hits.size() < scatter[m].known.hits.size()) continue;
     scatter[m] = again;
     if (!again.significant()) continue;
-    // The misfit also makes the poles of points differ. Without repeated hits, only a law shows that the hits differ.
-    const bool law = follows_a_law(again.series(m, true), peak_N) || follows_a_law(again.series(m, false), peak_N);
-    if (!has_repeated_points(hits.points) && !law) continue;
     if (const auto change = mean_change(again.known, fitted[i], hits.points)) take_mean(modes[m], scatter[m], *change);
   }
   move_residues(set, window, before, modes);
@@ -245,6 +244,7 @@ void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const WindowedH
 std::vector<double> without_imitating_modes(const FrfDataset& set, const HitFrfs& hits, const WindowedHitPoles& linear,
                                             const std::vector<double>& peak_N, const std::vector<Mode>& modes) {
   const std::vector<std::size_t> residue_of = residue_indices(set, hits);
+  const auto may_scatter = [](const ModeScatter& scatter) { return scatter.significant() || scatter.points_differ; };
   std::vector<char> imitating(modes.size(), 0);
   for (const ModeWindow& window : linear.windows) {
     for (const std::size_t m : spurious_modes_of_nonlinearity(set, hits, modes, window, linear.modes_in_hits))
@@ -253,7 +253,7 @@ std::vector<double> without_imitating_modes(const FrfDataset& set, const HitFrfs
     // Hits do not determine a pair that only imitates their scatter.
     const auto differs = [&](std::size_t m) {
       return linear.poles[m].differs_from_previous ||
-             scatter_of_mode(linear.poles[m], peak_N, hits.points).significant() ||
+             may_scatter(scatter_of_mode(linear.poles[m], peak_N, hits.points)) ||
              is_undetermined(hits, residue_of, modes[m], linear.poles[m]);
     };
     if (std::none_of(window.modes.begin(), window.modes.end(), differs)) continue;

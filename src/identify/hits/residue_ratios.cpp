@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/math/linear_algebra.hpp"
 #include "core/math/significance.hpp"
@@ -97,20 +98,26 @@ void HitResidues::add_ratio_equations(const ProjectedPart& part, std::vector<Mat
   }
 }
 
-bool scatter_clearly(const std::vector<ResidueRatio>& ratios) {
-  ResidueRatio all;
-  double chi2 = 0, degrees = -1;
-  for (const ResidueRatio& one : ratios) {
-    all.sum += one.sum;
-    all.weight += one.weight;
+bool scatter_clearly(const std::vector<ResidueRatio>& ratios, const std::vector<std::size_t>& points) {
+  const auto point_of = [&](std::size_t hit) { return points.empty() ? std::size_t{0} : points[hit]; };
+  std::map<std::size_t, ResidueRatio> means;
+  double chi2 = 0, degrees = 0, weight = 0;
+  for (std::size_t h = 0; h < ratios.size(); ++h) {
+    ResidueRatio& mean = means[point_of(h)];
+    mean.sum += ratios[h].sum;
+    mean.weight += ratios[h].weight;
   }
-  for (const ResidueRatio& one : ratios) {
-    if (!(one.weight > 0)) continue;
-    chi2 += one.weight * std::pow(one.value() - all.value(), 2);
+  for (std::size_t h = 0; h < ratios.size(); ++h) {
+    if (!(ratios[h].weight > 0)) continue;
+    chi2 += ratios[h].weight * std::pow(ratios[h].value() - means[point_of(h)].value(), 2);
+    weight += ratios[h].weight;
     ++degrees;
   }
+  for (const auto& [point, mean] : means) {
+    if (mean.weight > 0) --degrees;
+  }
   return degrees > 0 && chi2_deviate(chi2, degrees) > kClearScatter &&
-         chi2 - degrees > std::pow(kMinSpread, 2) * all.weight;
+         chi2 - degrees > std::pow(kMinSpread, 2) * weight;
 }
 
 }  // namespace percuss::identify

@@ -65,6 +65,8 @@ class HitResidues {
 
 /// Whether the values of the hits, from ratios() or from contrasts(), scatter significantly, and by more than errors of
 /// the gain explain.
-bool scatter_clearly(const std::vector<ResidueRatio>& ratios);
+/// points  [hits] compares the hits of each point with their own mean: the misfit of the model also makes the values of
+///         points differ. Empty: compares all hits.
+bool scatter_clearly(const std::vector<ResidueRatio>& ratios, const std::vector<std::size_t>& points = {});
 
 }  // namespace percuss::identify

@@ -99,10 +99,10 @@ std::vector<Warning> input_warnings(const acquire::Record& record) {
 }
 
 void remove_consequences_of_reversed_phase(std::vector<Warning>& warnings) {
-  constexpr std::array<std::string_view, 12> kConsequences{
-      "no_modes",   "unclaimed_peaks", "unmodelled_poles",   "start_refused",
-      "crowded",    "local_fits",      "model_misfit",       "frac",
-      "below_band", "reversed",        "driving_point_sign", "angles_contradicted"};
+  constexpr std::array<std::string_view, 13> kConsequences{
+      "no_modes", "unclaimed_peaks",    "unmodelled_poles",   "start_refused", "start_between",
+      "crowded",  "local_fits",         "model_misfit",       "frac",          "below_band",
+      "reversed", "driving_point_sign", "angles_contradicted"};
   std::erase_if(warnings, [&](const Warning& warning) {
     return std::find(kConsequences.begin(), kConsequences.end(), warning.code) != kConsequences.end();
   });

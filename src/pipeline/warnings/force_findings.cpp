@@ -39,6 +39,7 @@ constexpr double kMaxLevelChance = 1e-3;
 constexpr double kMinCouplingPhase_rad = 0.02;  // moves a mode there by a hundredth of its bandwidth
 constexpr double kMaxCornerSpread = 0.2;        // relative, of most hits around their median
 constexpr std::size_t kMinPulse = 6;            // samples that are compared
+constexpr std::size_t kComparedResponse = 4096;
 
 // rms magnitude of the spectrum of a pulse between two frequencies, in shares of the sampling rate.
 double pulse_level(const std::vector<double>& pulse, double from, double to) {
@@ -235,6 +236,21 @@ bool equal_pulses(const acquire::Hit& a, const acquire::Hit& b) {
          a.gated_N == b.gated_N;
 }
 
+// Whether all channels of two hits are equal from the peak of the force on. Sensors at several points share the force
+// of one blow, each point perhaps in a file of its own: then the pulses are equal, but the responses are not.
+bool equal_responses(const acquire::Record& record, const acquire::Hit& a, const acquire::Hit& b) {
+  const auto left = [](const acquire::Hit& hit) { return hit.first + hit.samples - hit.peak; };
+  const std::size_t count = std::min({left(a), left(b), kComparedResponse});
+  std::vector<double> of_a(count), of_b(count);
+  for (std::size_t c = 0; c < record.accel.size(); ++c) {
+    record.read_accel_mps2(a.row, c, a.peak, of_a);
+    record.read_accel_mps2(b.row, c, b.peak, of_b);
+    const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+    if (!std::equal(of_a.begin(), of_a.end(), of_b.begin(), same)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
@@ -338,18 +354,21 @@ std::vector<Warning> duplicate_warnings(const acquire::Record& record, const std
   for (const std::size_t h : accepted_hits(hits)) by_peak[hits[h].hit.peak_N].push_back(h);
   std::string pairs;
   for (const auto& [peak_N, members] : by_peak) {
-    for (std::size_t i = 1; i < members.size(); ++i) {
-      const AnalysedHit &a = hits[members[0]], &b = hits[members[i]];
-      if (!equal_pulses(a.hit, b.hit)) continue;
-      const std::size_t file_a = record.rows[a.hit.row].file, file_b = record.rows[b.hit.row].file;
-      pairs += fmt::format("{}hits {} and {}", pairs.empty() ? "" : ", ", members[0] + 1, members[i] + 1);
+    for (auto member = members.begin(); member != members.end(); ++member) {
+      const acquire::Hit& b = hits[*member].hit;
+      const auto original = std::find_if(members.begin(), member, [&](std::size_t h) {
+        return equal_pulses(hits[h].hit, b) && equal_responses(record, hits[h].hit, b);
+      });
+      if (original == member) continue;
+      const std::size_t file_a = record.rows[hits[*original].hit.row].file, file_b = record.rows[b.row].file;
+      pairs += fmt::format("{}hits {} and {}", pairs.empty() ? "" : ", ", *original + 1, *member + 1);
       if (file_a != file_b && file_b < record.files.size())
         pairs += " (" + one_line(record.files[file_a].path) + ", " + one_line(record.files[file_b].path) + ")";
     }
   }
   if (pairs.empty()) return {};
   return {with_remedy({"duplicate",
-                       "the same data twice: the pulses of " + pairs +
+                       "the same data twice: the pulses and responses of " + pairs +
                            " are equal in every sample, the noise included. Each ± is too small, because a copy adds "
                            "no information",
                        {"reject_hit"}},

@@ -22,7 +22,8 @@ std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, c
 /// `low_Hz`, the low end of the band.
 std::vector<Warning> coupling_warnings(const std::vector<AnalysedHit>& hits, double low_Hz);
 
-/// `duplicate`: hits whose pulses are equal in all samples, the noise included.
+/// `duplicate`: hits whose pulses and responses are equal in all samples, the noise included. Equal pulses alone are
+/// those of one blow whose responses were saved point by point.
 std::vector<Warning> duplicate_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
 
 }  // namespace percuss::pipeline

@@ -264,6 +264,21 @@ std::vector<Warning> refused_start_warnings(const std::vector<identify::RefusedS
   return out;
 }
 
+std::vector<Warning> joined_mode_warnings(const std::vector<identify::JoinedModes>& joined) {
+  std::vector<Warning> out;
+  for (const identify::JoinedModes& at : joined) {
+    const auto [low_Hz, high_Hz] = at.found_Hz;
+    out.push_back(
+        with_remedy({"start_between",
+                     fmt::format("{:.6g} Hz lies between two modes of the search, {:.6g} and {:.6g} Hz: one mode was "
+                                 "fitted in their place. If they are two, its values are off by more than their ±",
+                                 at.asked_Hz, low_Hz, high_Hz),
+                     {"start"}},
+                    "state the frequencies of both, unless they are known to be one mode"));
+  }
+  return out;
+}
+
 std::vector<Warning> split_mode_warnings(const std::vector<identify::Mode>& modes,
                                          const std::vector<identify::ModeClassification>& classifications) {
   std::string list;

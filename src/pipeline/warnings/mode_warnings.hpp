@@ -8,6 +8,7 @@
 #include "identify/model/mode.hpp"
 #include "identify/select/fitted_starts.hpp"
 #include "identify/start/unmodelled_peaks.hpp"
+#include "identify/started_modes.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
 #include "pipeline/warnings/warning.hpp"
 
@@ -54,6 +55,9 @@ std::vector<Warning> crowd_warnings(const std::vector<identify::Mode>& modes, st
 
 /// start_refused: starting frequencies at which no mode was found, with the reason.
 std::vector<Warning> refused_start_warnings(const std::vector<identify::RefusedStart>& refused);
+
+/// start_between: starting frequencies between two close modes of the search, in whose place one mode was fitted.
+std::vector<Warning> joined_mode_warnings(const std::vector<identify::JoinedModes>& joined);
 
 /// double_peak: split hoop modes, listed by their first peak.
 std::vector<Warning> split_mode_warnings(const std::vector<identify::Mode>& modes,

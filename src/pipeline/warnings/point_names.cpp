@@ -51,6 +51,22 @@ PointsOfFiles points_of_files(const std::vector<std::string>& paths, std::size_t
   return out;
 }
 
+// [names] the number in one part of each name; nothing if two are equal or one is too long.
+std::optional<std::vector<int>> different_numbers(const std::vector<std::vector<std::string>>& parts,
+                                                  std::size_t part) {
+  std::vector<int> numbers;
+  for (const std::vector<std::string>& name : parts) {
+    if (name[part].size() > kMaxDigits) return std::nullopt;
+    numbers.push_back(std::stoi(name[part]));
+  }
+  const std::set<int> different(numbers.begin(), numbers.end());
+  return different.size() == numbers.size() ? std::optional(numbers) : std::nullopt;
+}
+
+bool holds_all(const std::set<int>& numbers, const std::vector<int>& wanted) {
+  return std::all_of(wanted.begin(), wanted.end(), [&](int n) { return numbers.contains(n); });
+}
+
 // Whether `numbers` has first, first + 1, … first + count − 1.
 bool holds_from(const std::set<int>& numbers, int first, std::size_t count) {
   for (int i = 0; i < static_cast<int>(count); ++i) {
@@ -89,28 +105,26 @@ std::vector<std::string> files_of_points(const acquire::Record& record, const st
   return std::move(found.paths);
 }
 
-std::optional<std::vector<int>> numbers_in_names(const std::vector<std::string>& names) {
+std::optional<std::vector<int>> numbers_in_names(const std::vector<std::string>& names, const std::set<int>& geometry) {
   if (names.empty()) return std::nullopt;
   std::vector<std::vector<std::string>> parts;
   for (const std::string& name : names) parts.push_back(parts_of_name(name));
   const std::vector<std::string>& first = parts.front();
-  std::optional<std::size_t> varying;
+  std::set<std::size_t> varying;
   for (const auto& other : parts) {
     if (other.size() != first.size()) return std::nullopt;
     for (std::size_t i = 0; i < first.size(); ++i) {
-      if (other[i] == first[i] || varying == i) continue;
-      if (i % 2 == 0 || varying) return std::nullopt;
-      varying = i;
+      if (other[i] == first[i]) continue;
+      if (i % 2 == 0) return std::nullopt;
+      varying.insert(i);
     }
   }
-  if (!varying) return std::nullopt;
-  std::vector<int> numbers;
-  for (const auto& name : parts) {
-    if (name[*varying].size() > kMaxDigits) return std::nullopt;
-    numbers.push_back(std::stoi(name[*varying]));
+  std::set<std::vector<int>> fitting;
+  for (const std::size_t i : varying) {
+    const auto numbers = different_numbers(parts, i);
+    if (numbers && (varying.size() == 1 || holds_all(geometry, *numbers))) fitting.insert(*numbers);
   }
-  const std::set<int> different(numbers.begin(), numbers.end());
-  return different.size() == numbers.size() ? std::optional(numbers) : std::nullopt;
+  return fitting.size() == 1 ? std::optional(*fitting.begin()) : std::nullopt;
 }
 
 GeometryNumbers geometry_numbers(const std::set<int>& geometry, const std::set<int>& measured,
@@ -120,7 +134,7 @@ GeometryNumbers geometry_numbers(const std::set<int>& geometry, const std::set<i
   };
   const bool from_one = lacks(0) && !lacks(1) && !geometry.contains(0);
   const GeometryNumbers in_order = from_one ? GeometryNumbers::from_one : GeometryNumbers::record;
-  const auto numbers = numbers_in_names(files);
+  const auto numbers = numbers_in_names(files, geometry);
   if (!numbers) return in_order;
   const auto known = std::count_if(numbers->begin(), numbers->end(), [&](int n) { return geometry.contains(n); });
   if (known == static_cast<std::ptrdiff_t>(numbers->size())) return GeometryNumbers::file_names;
@@ -149,7 +163,7 @@ PointNames::PointNames(const acquire::Record& record, const std::set<int>& point
   // With stated directions, several points share a place, and the geometry numbers places.
   if (!geometry.empty() && record.motions.empty())
     geometry_from_one_ = geometry_numbers(geometry, points, files) == GeometryNumbers::from_one;
-  auto numbers = numbers_in_names(files);
+  auto numbers = numbers_in_names(files, geometry);
   // If the geometry has none of the numbers, they are not numbers of points.
   if (numbers && !geometry.empty() &&
       std::none_of(numbers->begin(), numbers->end(), [&](int n) { return geometry.contains(n); }))

@@ -55,6 +55,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"dropped_points", Severity::warn},
     {"accept_refused", Severity::warn},
     {"start_refused", Severity::warn},
+    {"start_between", Severity::warn},
     {"outlier", Severity::warn},
     {"misplaced_hits", Severity::warn},
     {"implausible_force", Severity::warn},

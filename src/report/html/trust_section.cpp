@@ -113,6 +113,7 @@ constexpr auto kPlaces = std::to_array<PlacedCode>({
     {"disturbed_decay", PagePart::response},
     {"unmodelled_poles", PagePart::stabilisation},
     {"start_refused", PagePart::stabilisation},
+    {"start_between", PagePart::stabilisation},
     {"repeated_modes", PagePart::shapes},
     {"sensor_on_node", PagePart::shapes},
     {"sensors_disagree", PagePart::shapes},

@@ -45,6 +45,49 @@ TEST(HitScatter, ComparesTheHitsOfASurveyWithinTheirPoints) {
   EXPECT_EQ(modes[0].freq_std_parts_Hz.hits, 0);
 }
 
+// The same survey with one hit per point: nothing tells the misfit from hits that differ, and the misfit's part of the
+// ± contains both.
+TEST(HitScatter, DoesNotTakeMisfitForHitsThatDifferWhereEachPointHasOneHit) {
+  const SingleHits hits(12, 1, kNoise, [](FrfDataset& one, std::size_t point, std::size_t) {
+    test::add_mode(one, 0, kWeak, 1);
+    test::add_mode(one, 0, {.freq_Hz = 312, .damping_ratio = 0.02}, 0.3 * std::cos(2.0 * static_cast<double>(point)));
+  });
+  std::vector<Mode> modes = hits.modes({kWeak});
+  const std::vector<double> peak_N = {90, 130, 110, 100, 95, 120, 140, 105, 98, 115, 102, 125};
+  add_hit_scatter(hits.set, hits.frfs, windowed_hit_poles(hits.set, hits.frfs, modes), peak_N, modes);
+  EXPECT_EQ(modes[0].pole, kWeak);
+  EXPECT_EQ(modes[0].freq_std_parts_Hz.hits, 0);
+  EXPECT_EQ(modes[0].damping_std_parts.hits, 0);
+}
+
+// A drift shows all the same.
+TEST(HitScatter, FindsADriftWhereEachPointHasOneHit) {
+  const SingleHits hits(12, 1, kNoise, [](FrfDataset& one, std::size_t point, std::size_t) {
+    const double change = 1e-4 * static_cast<double>(point);
+    test::add_mode(one, 0, {.freq_Hz = kWeak.freq_Hz * (1 + change), .damping_ratio = kWeak.damping_ratio}, 1);
+  });
+  std::vector<Mode> modes = hits.modes({kWeak});
+  const std::vector<double> peak_N(12, 100);
+  add_hit_scatter(hits.set, hits.frfs, windowed_hit_poles(hits.set, hits.frfs, modes), peak_N, modes);
+  EXPECT_GT(modes[0].freq_std_parts_Hz.hits, 0);
+  ASSERT_TRUE(modes[0].drift.has_value());
+  EXPECT_NEAR(modes[0].drift->freq_change_per_hit, 1e-4, 1e-5);
+}
+
+// Ratios of residues that differ from point to point, but not between the hits of a point, are misfit.
+TEST(ResidueRatios, ScatterWithinThePoints) {
+  const auto ratios = [](const std::vector<double>& values) {
+    std::vector<ResidueRatio> out;
+    for (const double value : values) out.push_back({.sum = 1e6 * value, .weight = 1e6});
+    return out;
+  };
+  const std::vector<ResidueRatio> of_points = ratios({1.1, 1.1, 1.1, 0.9, 0.9, 0.9});
+  EXPECT_TRUE(scatter_clearly(of_points));
+  EXPECT_FALSE(scatter_clearly(of_points, {0, 0, 0, 1, 1, 1}));
+  EXPECT_TRUE(scatter_clearly(of_points, {0, 1, 1, 1, 0, 0}));
+  EXPECT_FALSE(scatter_clearly(of_points, {0, 1, 2, 3, 4, 5})) << "one hit per point";
+}
+
 TEST(HitScatter, FindsHitsOfOnePointThatDiffer) {
   const SingleHits hits(6, 3, kNoise, [](FrfDataset& one, std::size_t point, std::size_t hit) {
     const double off = static_cast<double>((point + 2 * hit) % 3) - 1;

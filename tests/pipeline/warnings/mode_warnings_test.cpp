@@ -24,6 +24,14 @@ std::vector<identify::Mode> misfitting_modes(std::size_t count) {
   return modes;
 }
 
+TEST(JoinedModeWarnings, NameTheStartAndBothModes) {
+  EXPECT_TRUE(joined_mode_warnings({}).empty());
+  const std::vector<Warning> warnings = joined_mode_warnings({{.asked_Hz = 603, .found_Hz = {600.0007, 604.0023}}});
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].code, "start_between");
+  EXPECT_THAT(warnings[0].message, HasSubstr("603 Hz lies between two modes of the search, 600.001 and 604.002 Hz"));
+}
+
 TEST(LocalFitWarnings, CountTheModesBeyondTheirLimit) {
   EXPECT_THAT(local_fit_warnings(misfitting_modes(8)).at(0).message, Not(HasSubstr(" more.")));
   std::vector<identify::Mode> modes = misfitting_modes(12);

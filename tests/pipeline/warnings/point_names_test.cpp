@@ -56,6 +56,21 @@ TEST(PointNames, ReadTheNumbersInNames) {
     EXPECT_FALSE(numbers_in_names(names).has_value()) << testing::PrintToString(names);
 }
 
+TEST(PointNames, ReadTheNumbersThatTheGeometryHas) {
+  const std::vector<std::string> counted{"M151_P1.csv", "M154_P2.csv", "M160_P4.csv"};
+  EXPECT_THAT(numbers_in_names(counted, numbers(1, 4)), Optional(ElementsAre(1, 2, 4)));
+  EXPECT_THAT(numbers_in_names({"P1_M1.csv", "P2_M2.csv"}, numbers(1, 2)), Optional(ElementsAre(1, 2))) << "equal";
+  EXPECT_FALSE(numbers_in_names(counted).has_value());
+  EXPECT_FALSE(numbers_in_names(counted, numbers(1, 3)).has_value()) << "none fits";
+  EXPECT_FALSE(numbers_in_names(counted, numbers(1, 200)).has_value()) << "both fit";
+  EXPECT_FALSE(numbers_in_names({"M1_P1.csv", "M2_P1.csv", "M2_P2.csv"}, numbers(1, 2)).has_value()) << "not different";
+  // A single number that differs counts, even if the geometry lacks it.
+  EXPECT_THAT(numbers_in_names({"2024_P1.csv", "2024_P7.csv"}, numbers(1, 4)), Optional(ElementsAre(1, 7)));
+  EXPECT_EQ(geometry_numbers(numbers(1, 4), numbers(0, 3), counted), GeometryNumbers::file_names);
+  EXPECT_THAT(names_of(record_of(counted), numbers(1, 4)),
+              ElementsAre("1 (M151_P1.csv)", "2 (M154_P2.csv)", "4 (M160_P4.csv)"));
+}
+
 TEST(PointNames, FindFilesThatArePoints) {
   const acquire::Record record = record_of({"P1.csv", "P2.csv", "P3.csv"});
   EXPECT_THAT(files_of_points(record, record.points()), ElementsAre("P1.csv", "P2.csv", "P3.csv"));

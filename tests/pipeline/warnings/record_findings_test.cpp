@@ -271,17 +271,35 @@ TEST(RecordFindings, RemoveAZeroShiftAndASlope) {
   expect_true_modes(slope);
 }
 
-TEST(RecordFindings, NameRowsThatAreCopies) {
-  acquire::Record record = synth::synthesise(tube(3)).record;
+/// A record with a row more: the force of the last row once again, and its responses times `gain`.
+acquire::Record with_copied_force(acquire::Record record, double gain) {
+  const std::size_t last = record.rows.size() - 1;
   record.rows.push_back(record.rows.back());
-  record.read_force_N = [inner = record.read_force_N](std::size_t row, std::size_t first, std::span<double> out) {
-    inner(std::min<std::size_t>(row, 2), first, out);
+  record.read_force_N = [last, inner = record.read_force_N](std::size_t row, std::size_t first, std::span<double> out) {
+    inner(std::min(row, last), first, out);
   };
-  record.read_accel_mps2 = [inner = record.read_accel_mps2](std::size_t row, std::size_t channel, std::size_t first,
-                                                            std::span<double> out) {
-    inner(std::min<std::size_t>(row, 2), channel, first, out);
+  record.read_accel_mps2 = [last, gain, inner = record.read_accel_mps2](std::size_t row, std::size_t channel,
+                                                                        std::size_t first, std::span<double> out) {
+    inner(std::min(row, last), channel, first, out);
+    if (row <= last) return;
+    for (double& x : out) x *= gain;
   };
+  return record;
+}
+
+TEST(RecordFindings, NameRowsThatAreCopies) {
+  const acquire::Record record = with_copied_force(synth::synthesise(tube(3)).record, 1);
   EXPECT_THAT(codes_of(Analysis(record, band())), Contains("duplicate"));
+}
+
+TEST(RecordFindings, DoNotTakeOneBlowAtSeveralPointsForCopies) {
+  const acquire::Record record = with_copied_force(synth::synthesise(tube(3)).record, 0.9);
+  EXPECT_THAT(codes_of(Analysis(record, band())), Not(Contains("duplicate")));
+  // A copy of such a point is one all the same, and its original is the second hit with this force.
+  const Analysis copied(with_copied_force(record, 1), band());
+  copied.modes();
+  EXPECT_THAT(test::lines_of_messages(copied.warnings()),
+              Contains(AllOf(HasSubstr("duplicate: "), HasSubstr("of hits 4 and 5 are"))));
 }
 
 }  // namespace percuss::pipeline::record_findings_test
