@@ -129,7 +129,10 @@ std::vector<Warning> Analysis::warnings_of_modes(const HitEvidence& evidence) co
   append(out, no_modes_warnings(modes(), band_Hz(), !options_.modes.start_Hz.empty()));
   if (!user_chose_modes) append(out, local_fit_warnings(modes()));
   append(out, refused_start_warnings(refused_starts_));
-  if (!user_chose_modes) append(out, unmodelled_peak_warnings(unexplained_peaks(), band_Hz()));
+  if (!user_chose_modes) {
+    const std::vector<Tone> tones = responses_.ready() ? responses().tones : std::vector<Tone>{};
+    append(out, unmodelled_peak_warnings(unexplained_peaks(), band_Hz(), tones, lines().df_Hz()));
+  }
   append(out, unmodelled_pole_warnings(unmodelled_poles(), band_Hz()));
   if (!options_.band_Hz && !user_chose_modes) append(out, below_band_warnings(margin_modes_, band_Hz()));
   append(out, crowd_warnings(modes(), band_Hz()));
