@@ -162,6 +162,7 @@ class Analysis {
   const std::vector<Eigen::VectorXcd>& modal_sums() const;
   struct HitEvidence;  // of warnings()
   HitEvidence hit_evidence() const;
+  std::vector<Tone> known_tones() const;  // of the responses; none before they are known
   std::vector<Warning> warnings_of_hits(const HitEvidence& evidence) const;
   std::vector<Warning> warnings_of_channels(const HitEvidence& evidence) const;
   std::vector<Warning> warnings_of_modes(const HitEvidence& evidence) const;

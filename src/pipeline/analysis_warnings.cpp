@@ -71,6 +71,8 @@ struct Analysis::HitEvidence {
   std::vector<Warning> other_units;      // point_force_warnings()
 };
 
+std::vector<Tone> Analysis::known_tones() const { return responses_.ready() ? responses().tones : std::vector<Tone>{}; }
+
 Analysis::HitEvidence Analysis::hit_evidence() const {
   HitEvidence out{.graded = hits_.ready() ? hits() : force_hits()};
   if (responses_.ready()) out.silent_points = silent_points(out.graded, responses());
@@ -109,7 +111,8 @@ std::vector<Warning> Analysis::warnings_of_channels(const HitEvidence& evidence)
     append(out, point_range_warnings(record(), graded, modes(), point_names()));
   if (modes_.ready() && force_known) append(out, pretrigger_warnings(record(), graded, fitted_frfs()));
   if (responses_.ready() && options_.hits.gate_force) append(out, coupling_warnings(graded, band_Hz().first));
-  append(out, rest_warnings(graded, earlier_ringing_.ready() ? earlier_ringing() : std::vector<EarlierRinging>{}));
+  append(out, rest_warnings(graded, earlier_ringing_.ready() ? earlier_ringing() : std::vector<EarlierRinging>{},
+                            known_tones()));
   if (modes_.ready()) {
     const SensorDirections sensors{
         .angles_assumed = options_.classes.angles_assumed,
@@ -133,7 +136,9 @@ std::vector<Warning> Analysis::warnings_of_modes(const HitEvidence& evidence) co
   if (!user_chose_modes) append(out, local_fit_warnings(modes()));
   append(out, refused_start_warnings(refused_starts_));
   append(out, joined_mode_warnings(joined_modes_));
-  if (!user_chose_modes) append(out, unmodelled_peak_warnings(unexplained_peaks(), band_Hz()));
+  if (!user_chose_modes) {
+    append(out, unmodelled_peak_warnings(unexplained_peaks(), band_Hz(), known_tones(), lines().df_Hz()));
+  }
   append(out, unmodelled_pole_warnings(unmodelled_poles(), band_Hz()));
   if (!options_.band_Hz && !user_chose_modes) append(out, below_band_warnings(margin_modes_, band_Hz()));
   append(out, crowd_warnings(modes(), band_Hz()));

@@ -91,4 +91,22 @@ bool wanders_along(std::span<const ToneSignal> signals, double turns) {
   return change > kMaxWander * power + kWanderNoise * noise;
 }
 
+bool wanders_between_segments(std::span<const ToneSignal> signals, double turns) {
+  const std::size_t samples = signals.front().x.size();
+  const Segment early = early_segment(samples), late = late_segment(samples);
+  const std::vector<double> window = window_of(late.length);
+  const double apart = 1.5 * static_cast<double>(kMainLobe) / static_cast<double>(late.length);
+  double change = 0, power = 0, below = 0, above = 0;
+  for (const ToneSignal& signal : signals) {
+    const auto at = [&](const Segment& part, double f) { return amplitude_in(signal.x, part, window, f); };
+    const auto both = [&](double f) { return std::norm(at(early, f)) + std::norm(at(late, f)); };
+    change += std::norm(at(late, turns) - at(early, turns));
+    power += both(turns);
+    below += both(turns - apart);
+    above += both(turns + apart);
+  }
+  // A mode beside the tone is no noise.
+  return change > kMaxWander * power + kWanderNoise * std::min(below, above);
+}
+
 }  // namespace percuss::pipeline

@@ -18,4 +18,9 @@ bool is_there_before(std::span<const ToneSignal> signals, const std::vector<Comp
 /// Whether the amplitude, as a complex number, differs between the halves of the late segment.
 bool wanders_along(std::span<const ToneSignal> signals, double turns);
 
+/// Whether the amplitude, as a complex number, differs between the early and the late segment. These are twice as long
+/// as the halves of wanders_along(), so that a mode near the tone that still rings matters less. The frequency must not
+/// be estimated from this tone: refined_turns_per_sample() would fit the difference.
+bool wanders_between_segments(std::span<const ToneSignal> signals, double turns);
+
 }  // namespace percuss::pipeline

@@ -68,11 +68,20 @@ double power_of(const std::vector<Complex>& amplitude) {
   return power;
 }
 
-// Power of a sinusoid over the power beside it.
-double power_to_noise(std::span<const ToneSignal> signals, const std::vector<double>& window, double turns) {
+struct PowerAround {
+  double power = 0, below = 0, above = 0;  // of a sinusoid, and on either side of it
+};
+
+PowerAround power_around(std::span<const ToneSignal> signals, const std::vector<double>& window, double turns) {
   const double beside = 1.5 * static_cast<double>(kMainLobe) / static_cast<double>(window.size());
   const auto power = [&](double at) { return power_of(amplitudes_of(signals, window, at)); };
-  return power(turns) / (0.5 * (power(turns - beside) + power(turns + beside)));
+  return {.power = power(turns), .below = power(turns - beside), .above = power(turns + beside)};
+}
+
+// Power of a sinusoid over the power beside it.
+double power_to_noise(std::span<const ToneSignal> signals, const std::vector<double>& window, double turns) {
+  const PowerAround found = power_around(signals, window, turns);
+  return found.power / (0.5 * (found.below + found.above));
 }
 
 // The fundamental of the mains, in turns per sample, from all tones that are its harmonics, each weighted by the
@@ -94,6 +103,13 @@ std::optional<double> mains_of(const std::vector<Tone>& tones, std::span<const T
   return sum / weights;
 }
 
+// Whether a harmonic of the mains stands out. On one side, a strong mode may hide it: then it must be steady.
+bool stands_out(std::span<const ToneSignal> signals, const std::vector<double>& window, double turns) {
+  const PowerAround found = power_around(signals, window, turns);
+  if (found.power > kAboveFlank * 0.5 * (found.below + found.above)) return true;
+  return found.power > kAboveFloor * std::min(found.below, found.above) && !wanders_between_segments(signals, turns);
+}
+
 // Puts the harmonics of the mains at the multiples of their common fundamental. Adds missing harmonics: a harmonic may
 // have no peak of its own in the first hit, or by chance equal phases at all hits.
 void add_mains(ToneFit& fit, std::span<const ToneSignal> signals, const std::vector<double>& window, double fs_Hz) {
@@ -102,20 +118,28 @@ void add_mains(ToneFit& fit, std::span<const ToneSignal> signals, const std::vec
   if (!base) return;
   ToneFit out{.tones = {}, .amplitudes = std::vector<std::vector<Complex>>(signals.size())};
   std::vector<bool> known(kMaxHarmonic + 1);
-  for (const Tone& tone : fit.tones) {
-    double turns = tone.freq_Hz / fs_Hz;
-    const double order = std::round(turns / *base);
-    if (order >= 1 && order <= static_cast<double>(kMaxHarmonic) && std::abs(turns - order * *base) < line) {
-      turns = order * *base;
-      known[static_cast<std::size_t>(order)] = true;
-    }
+  const bool steady = std::none_of(fit.tones.begin(), fit.tones.end(),
+                                   [](const Tone& tone) { return may_be_mains(tone.freq_Hz) && tone.wanders; });
+  const auto add_harmonic = [&](double order) {
+    const double turns = order * *base;
     add_tone(out, signals, amplitudes_of(signals, window, turns), turns, fs_Hz);
+    // Those of steady mains are steady: what changes from half to half may be a mode nearby that still rings.
+    Tone& tone = out.tones.back();
+    if (tone.wanders && order > 1 && steady) tone.wanders = wanders_between_segments(signals, turns);
+  };
+  for (const Tone& tone : fit.tones) {
+    const double turns = tone.freq_Hz / fs_Hz, order = std::round(turns / *base);
+    if (order >= 1 && order <= static_cast<double>(kMaxHarmonic) && std::abs(turns - order * *base) < line) {
+      known[static_cast<std::size_t>(order)] = true;
+      add_harmonic(order);
+    } else {
+      add_tone(out, signals, amplitudes_of(signals, window, turns), turns, fs_Hz);
+    }
   }
   for (std::size_t k = 2; k <= kMaxHarmonic && static_cast<double>(k) * *base < 0.5 - line; ++k) {
     const double turns = static_cast<double>(k) * *base;
-    if (!known[k] && refined_turns_per_sample(signals, window, turns) > 0 &&
-        power_to_noise(signals, window, turns) > kAboveFlank)
-      add_tone(out, signals, amplitudes_of(signals, window, turns), turns, fs_Hz);
+    if (!known[k] && refined_turns_per_sample(signals, window, turns) > 0 && stands_out(signals, window, turns))
+      add_harmonic(static_cast<double>(k));
   }
   fit = std::move(out);
 }

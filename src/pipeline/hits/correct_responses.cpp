@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/statistics.hpp"
 #include "core/parallel/parallel.hpp"
 #include "frf/spectra.hpp"
 #include "pipeline/findings/sample_prediction.hpp"
@@ -165,8 +166,10 @@ std::vector<double> candidates_for_tones(const std::vector<HitResponse>& respons
 
 // Searches the first hit for tones, and all hits if it has some. Subtracts the tones from the samples of all hits. Hits
 // with corrected samples are searched in these alone: inserted samples would move those after them.
-void remove_tones(HitResponses& responses, std::vector<Samples>& corrected, const acquire::Record& record,
-                  const std::vector<AnalysedHit>& hits, const TransformOptions& options) {
+// returns  [used hits × channels] the amplitude of the tones that wander and thus remain; empty without tones.
+std::vector<double> remove_tones(HitResponses& responses, std::vector<Samples>& corrected,
+                                 const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                 const TransformOptions& options) {
   const std::vector<std::size_t> used = accepted_hits(hits);
   const bool any_corrected =
       std::any_of(corrected.begin(), corrected.end(), [](const Samples& samples) { return !samples.empty(); });
@@ -176,7 +179,7 @@ void remove_tones(HitResponses& responses, std::vector<Samples>& corrected, cons
     return corrected[u].empty() ? read_all(record, hits[used[u]].hit, searched) : corrected[u];
   };
   std::vector<double> candidates = candidates_for_tones(responses.of[used[0]], corrected[0]);
-  if (candidates.empty()) return;
+  if (candidates.empty()) return {};
   std::vector<Samples> samples(used.size()), before(used.size());
   std::vector<ToneSignal> signals;
   for (std::size_t u = 0; u < used.size(); ++u) {
@@ -186,7 +189,7 @@ void remove_tones(HitResponses& responses, std::vector<Samples>& corrected, cons
     signals.insert(signals.end(), of_hit.begin(), of_hit.end());
   }
   const ToneFit fit = find_tones(signals, std::move(candidates), record.fs_Hz);
-  if (fit.tones.empty()) return;
+  if (fit.tones.empty()) return {};
   responses.tones = fit.tones;
   const std::size_t channels = record.accel.size();
   parallel_for(signals.size(), options.threads, [&](std::size_t s) {
@@ -195,6 +198,21 @@ void remove_tones(HitResponses& responses, std::vector<Samples>& corrected, cons
     subtract_tones(fit, s, record.fs_Hz, x);
   });
   corrected = std::move(samples);
+  std::vector<double> remaining(signals.size());
+  for (std::size_t s = 0; s < signals.size(); ++s) {
+    for (std::size_t t = 0; t < fit.tones.size(); ++t) {
+      if (fit.tones[t].wanders) remaining[s] = std::hypot(remaining[s], std::abs(fit.amplitudes[s][t]));
+    }
+  }
+  return remaining;
+}
+
+// A response is at rest before its hit if what moves there is no more than the tones that remain.
+void judge_rest_without_tones(acquire::ResponseGrade& grade, const acquire::Hit& hit, std::span<const double> accel,
+                              double tones_mps2) {
+  const std::size_t quiet = hit.gate_first > hit.first ? hit.gate_first - hit.first : 0;
+  if (rms_about_mean(accel.first(std::min(quiet, accel.size()) / 2)) > tones_mps2) return;
+  grade.rings_before = grade.may_ring_before = false;
 }
 
 }  // namespace
@@ -250,7 +268,8 @@ void correct_responses(HitResponses& responses, const acquire::Record& record, c
       corrected[u] = corrected_hit(found[u], responses, record, hits[used[u]].hit, range.samples, Search::everywhere);
     });
   }
-  if (!used.empty()) remove_tones(responses, corrected, record, hits, options);
+  std::vector<double> tones_mps2;
+  if (!used.empty()) tones_mps2 = remove_tones(responses, corrected, record, hits, options);
   for (HitFaults& faults : found) {
     if (!faults.faults.empty()) responses.faults.push_back(std::move(faults));
   }
@@ -261,6 +280,7 @@ void correct_responses(HitResponses& responses, const acquire::Record& record, c
     const std::vector<double>& accel = samples[t % channels];
     HitResponse& response = responses.of[used[t / channels]][t % channels];
     response.grade = acquire::grade_response(hit, accel, record.fs_Hz);
+    if (!tones_mps2.empty() && tones_mps2[t] > 0) judge_rest_without_tones(response.grade, hit, accel, tones_mps2[t]);
     response.rest = rest_levels(accel, response.rest.quiet, response.rest.first);
     frf::accel_spectrum(hit, accel, range, options.window_decay_per_s,
                         responses.lines.part(t * range.count, range.count));

@@ -166,12 +166,32 @@ bool leave_out_disturbances(ResponseTest& test, const std::vector<std::optional<
   return changed;
 }
 
+std::pair<double, double> default_band(double fs_Hz, std::size_t samples) {
+  return {kMinDefaultLines * fs_Hz / static_cast<double>(samples), kAntiAlias * fs_Hz};
+}
+
 std::pair<double, double> band_of(const ResponseTest& test, std::size_t samples) {
   const double fs_Hz = test.record.fs_Hz;
-  const std::pair<double, double> band = test.options.band_Hz.value_or(
-      std::pair(kMinDefaultLines * fs_Hz / static_cast<double>(samples), kAntiAlias * fs_Hz));
+  const std::pair<double, double> band = test.options.band_Hz.value_or(default_band(fs_Hz, samples));
   require_band(band, fs_Hz, test.record.source());
   return band;
+}
+
+// The decays within the band, and those beyond it. The spectrum of a truncated decay falls with the distance from its
+// frequency only, and is no noise: without the strong decays beyond the band, their skirts would be fitted by false
+// ones within it, and the motion would seem to begin late.
+identify::StartedFit fit_decays(const ResponseTest& test, const identify::FreeDecays& whole, std::size_t safe) {
+  identify::FreeDecayOptions options{
+      .band_Hz = test.band_Hz, .start_Hz = test.options.modes.start_Hz, .search = test.options.modes.start_Hz.empty()};
+  const auto all = default_band(whole.fs_Hz, test.samples - safe);
+  if (options.search && (all.first < test.band_Hz.first || all.second > test.band_Hz.second)) {
+    options.band_Hz = {std::min(all.first, test.band_Hz.first), std::max(all.second, test.band_Hz.second)};
+    identify::StartedFit wide = identify::fit_from_earliest_start(whole, safe, options);
+    // What lies beyond the band may be no sum of decays: then only the band is left.
+    if (wide.fit.complete) return wide;
+    options.band_Hz = test.band_Hz;
+  }
+  return identify::fit_from_earliest_start(whole, safe, options);
 }
 
 std::vector<identify::ModeClassification> classified(const ResponseTest& test) {
@@ -230,11 +250,7 @@ ResponseTest analyse_responses(acquire::Record record, const AnalysisOptions& op
     const identify::FreeDecays whole = decays_of(test);
     const std::size_t safe = identify::safe_start(test.samples, whole.fs_Hz);
     test.band_Hz = band_of(test, test.samples - safe);
-    const identify::StartedFit started =
-        identify::fit_from_earliest_start(whole, safe,
-                                          {.band_Hz = test.band_Hz,
-                                           .start_Hz = test.options.modes.start_Hz,
-                                           .search = test.options.modes.start_Hz.empty()});
+    const identify::StartedFit started = fit_decays(test, whole, safe);
     if (attempt < kMaxAttempts && leave_out_disturbances(test, identify::decay_disturbances(whole, started))) {
       test.samples = common_samples(test);
       continue;

@@ -202,7 +202,8 @@ std::vector<Warning> refused_hit_warnings(const std::vector<AnalysedHit>& hits, 
                       refused.size() == 1 ? "repeat this hit" : "repeat these hits")};
 }
 
-std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits, const std::vector<EarlierRinging>& ringing) {
+std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits, const std::vector<EarlierRinging>& ringing,
+                                   const std::vector<Tone>& tones) {
   std::set<std::size_t> moving, subtracted, settled;
   for (const std::size_t h : accepted_hits(hits)) {
     if (may_ring_before(hits[h])) moving.insert(h);
@@ -221,10 +222,16 @@ std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits, const s
   std::vector<std::size_t> left;
   std::set_difference(moving.begin(), moving.end(), settled.begin(), settled.end(), std::back_inserter(left));
   if (!left.empty()) {
-    out.push_back(with_remedy({"not_at_rest", "the structure was not at rest before " + hit_list(left) +
-                                                  ": damping, residues and modal masses may be off by more than "
-                                                  "their ±"},
-                              "wait longer between hits"));
+    // A harmonic of the mains at a mode cannot be removed, as it cannot be told from the mode.
+    const bool hum =
+        std::any_of(tones.begin(), tones.end(), [](const Tone& tone) { return may_be_mains(tone.freq_Hz); });
+    const std::string cause = hum ? "motion remains before " + hit_list(left) +
+                                        " after the hum was removed: the structure was not at rest, or a harmonic of "
+                                        "the mains lies at a mode. Damping"
+                                  : "the structure was not at rest before " + hit_list(left) + ": damping";
+    out.push_back(with_remedy(
+        {"not_at_rest", cause + ", residues and modal masses may be off by more than their ±"},
+        hum ? "wait longer between hits, and keep cables away from power lines" : "wait longer between hits"));
   }
   if (!subtracted.empty()) {
     out.push_back({"earlier_ringing",

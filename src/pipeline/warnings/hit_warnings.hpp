@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "acquire/record/record.hpp"
+#include "pipeline/findings/tones.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
 #include "pipeline/stages/earlier_ringing.hpp"
 #include "pipeline/warnings/point_names.hpp"
@@ -21,7 +22,9 @@ std::vector<Warning> hit_warnings(const acquire::Record& record, const std::vect
 std::vector<Warning> refused_hit_warnings(const std::vector<AnalysedHit>& hits, const std::vector<std::size_t>& accepts,
                                           const std::vector<std::size_t>& rejects);
 
-/// not_at_rest, and earlier_ringing for the ringing that was subtracted.
-std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits, const std::vector<EarlierRinging>& ringing);
+/// not_at_rest, and earlier_ringing for the ringing that was subtracted. With hum of the mains among the tones,
+/// not_at_rest names it as a possible cause.
+std::vector<Warning> rest_warnings(const std::vector<AnalysedHit>& hits, const std::vector<EarlierRinging>& ringing,
+                                   const std::vector<Tone>& tones);
 
 }  // namespace percuss::pipeline

@@ -22,12 +22,31 @@ constexpr std::size_t kMaxListedEntries = 8;  // modes, peaks or poles in one wa
 constexpr double kMaxSplitBandwidths = 5;     // separation of two peaks that asymmetry or damage splits
 constexpr double kClearDamping = 0.1;         // of damping and bandwidth: the ± of a clear mode below the band
 constexpr double kMaxDampingBelow = 0.1;      // drift and the baseline make broader ones
+constexpr double kToneLines = 2;              // from a tone to the peak that it leaves
+constexpr double kToneWanders = 0.01;         // of the frequency: the same for a tone that wanders
 
 const char* separator(const std::string& list) { return list.empty() ? "" : ", "; }
 
 // The end of a list that names the first kMaxListedEntries of `count` entries.
 std::string and_more(std::size_t count) {
   return count > kMaxListedEntries ? fmt::format(" and {} more", count - kMaxListedEntries) : "";
+}
+
+std::string peak_list(const std::vector<identify::UnmodelledPeak>& peaks) {
+  std::string list;
+  for (std::size_t p = 0; p < std::min(peaks.size(), kMaxListedEntries); ++p)
+    list += fmt::format("{}{:.6g} Hz ({:.0f} dB)", separator(list), peaks[p].freq_Hz, peaks[p].level_dB);
+  if (peaks.size() > kMaxListedEntries) list += fmt::format(" and {} lower ones", peaks.size() - kMaxListedEntries);
+  return list;
+}
+
+// Whether a peak lies at a tone, or at a harmonic of a tone of the mains.
+bool is_of_a_tone(double freq_Hz, const std::vector<Tone>& tones, double df_Hz) {
+  return std::any_of(tones.begin(), tones.end(), [&](const Tone& tone) {
+    const double reach_Hz = std::max(kToneLines * df_Hz, tone.wanders ? kToneWanders * tone.freq_Hz : 0);
+    const double order = may_be_mains(tone.freq_Hz) ? std::max(1.0, std::round(freq_Hz / tone.freq_Hz)) : 1;
+    return std::abs(freq_Hz - order * tone.freq_Hz) < reach_Hz;
+  });
 }
 
 // The variance of the frequency between the points after the drift is taken off, over the variance before. Points weigh
@@ -159,22 +178,33 @@ std::vector<Warning> no_modes_warnings(const std::vector<identify::Mode>& modes,
 }
 
 std::vector<Warning> unmodelled_peak_warnings(std::vector<identify::UnmodelledPeak> peaks,
-                                              std::pair<double, double> band_Hz) {
+                                              std::pair<double, double> band_Hz, const std::vector<Tone>& tones,
+                                              double df_Hz) {
   std::erase_if(peaks, [&](const identify::UnmodelledPeak& peak) {
     return peak.freq_Hz < band_Hz.first || peak.freq_Hz > band_Hz.second;
   });
-  if (peaks.empty()) return {};
-  std::string list;
-  for (std::size_t p = 0; p < std::min(peaks.size(), kMaxListedEntries); ++p)
-    list += fmt::format("{}{:.6g} Hz ({:.0f} dB)", separator(list), peaks[p].freq_Hz, peaks[p].level_dB);
-  if (peaks.size() > kMaxListedEntries) list += fmt::format(" and {} lower ones", peaks.size() - kMaxListedEntries);
-  return {with_remedy(
-      {"unclaimed_peaks",
-       "no mode models these peaks: " + list +
-           ". A single mode does not fit them well enough. Two modes that are one or two spectral lines apart may fit "
-           "them",
-       {"start"}},
-      "state a starting frequency for each")};
+  const auto rest = std::stable_partition(peaks.begin(), peaks.end(), [&](const identify::UnmodelledPeak& peak) {
+    return !is_of_a_tone(peak.freq_Hz, tones, df_Hz);
+  });
+  const std::vector<identify::UnmodelledPeak> of_tones(rest, peaks.end());
+  peaks.erase(rest, peaks.end());
+  std::vector<Warning> out;
+  if (!peaks.empty()) {
+    out.push_back(with_remedy(
+        {"unclaimed_peaks",
+         "no mode models these peaks: " + peak_list(peaks) +
+             ". A single mode does not fit them well enough. Two modes that are one or two spectral lines apart may "
+             "fit them",
+         {"start"}},
+        "state a starting frequency for each"));
+  }
+  if (!of_tones.empty()) {
+    out.push_back(with_remedy(
+        {"unclaimed_peaks", "no mode models these peaks at the frequencies of tones: " + peak_list(of_tones) +
+                                ". They are what the removal of hum or of a machine's tone left, rather than modes"},
+        "remove the source of the tones, and measure again"));
+  }
+  return out;
 }
 
 bool is_split_hoop(const std::vector<identify::Mode>& modes,

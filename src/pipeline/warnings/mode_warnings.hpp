@@ -9,6 +9,7 @@
 #include "identify/select/fitted_starts.hpp"
 #include "identify/start/unmodelled_peaks.hpp"
 #include "identify/started_modes.hpp"
+#include "pipeline/findings/tones.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
 #include "pipeline/warnings/warning.hpp"
 
@@ -31,9 +32,12 @@ std::vector<Warning> no_modes_warnings(const std::vector<identify::Mode>& modes,
                                        bool started);
 
 /// unclaimed_peaks: prominent peaks within the band that no mode models.
+/// Peaks within two lines of a tone, or of a harmonic of the mains if there is a tone of the mains, are named as such;
+/// within 1 % of a tone that wanders.
 /// peaks  the largest first.
 std::vector<Warning> unmodelled_peak_warnings(std::vector<identify::UnmodelledPeak> peaks,
-                                              std::pair<double, double> band_Hz);
+                                              std::pair<double, double> band_Hz, const std::vector<Tone>& tones,
+                                              double df_Hz);
 
 /// Whether mode m and its partner are hoop modes of a tube, closer than a few bandwidths: then damage or asymmetry may
 /// have split one mode.

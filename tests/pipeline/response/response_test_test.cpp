@@ -150,6 +150,46 @@ TEST(ResponseTest, ObeysTheUser) {
   EXPECT_EQ(analyse_responses(rows(1), options).found.modes.size(), 1U);
 }
 
+// Modes beyond the band are as strong as those within it: their skirts are no noise.
+TEST(ResponseTest, FindsNoFalseModesBesideStrongOnesBeyondTheBand) {
+  const std::vector<double> freqs_Hz{30, 167, 197.3, 365.1, 573.6, 797.8, 1103.9, 1224.5, 1782.1, 1972.2, 2389};
+  constexpr std::pair<double, double> kBand_Hz{100, 700};
+  constexpr std::size_t kWithin = 4;  // modes
+  constexpr double kDamping = 0.003;
+  for (unsigned seed = 1; seed <= 2; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> gauss;
+    std::vector<std::vector<double>> shapes;
+    for (std::size_t m = 0; m < freqs_Hz.size(); ++m) shapes.push_back({gauss(random), gauss(random), gauss(random)});
+    std::vector<std::vector<std::vector<double>>> accel;
+    for (int h = 0; h < 4; ++h) {
+      auto& channels = accel.emplace_back(3, std::vector<double>(16384));
+      for (std::size_t m = 0; m < freqs_Hz.size(); ++m) {
+        const Complex s = identify::decay_rate_of({freqs_Hz[m], kDamping}).rate_radps;
+        const double amplitude = 100 * gauss(random);
+        for (std::size_t n = 512; n < 16384; ++n) {
+          const double x = amplitude * std::exp(s * (static_cast<double>(n - 512) / kFs_Hz)).real();
+          for (std::size_t c = 0; c < 3; ++c) channels[c][n] += shapes[m][c] * x;
+        }
+      }
+    }
+    AnalysisOptions options;
+    options.band_Hz = kBand_Hz;
+    const ResponseTest test = analyse_responses(test::response_record(kFs_Hz, std::move(accel), 0.1, false), options);
+    EXPECT_EQ(test.band_Hz, kBand_Hz);
+    EXPECT_TRUE(test.found.tones.empty());
+    for (const identify::DecayMode& one : test.found.modes) {
+      const auto nearest = std::min_element(freqs_Hz.begin(), freqs_Hz.end(), [&](double a, double b) {
+        return std::abs(a - one.mode.pole.freq_Hz) < std::abs(b - one.mode.pole.freq_Hz);
+      });
+      EXPECT_NEAR(one.mode.pole.freq_Hz, *nearest, 4 * one.mode.freq_std_Hz);
+      EXPECT_NEAR(one.mode.pole.damping_ratio, kDamping, 4 * one.mode.damping_std);
+      EXPECT_LT(one.mode.freq_std_Hz, 1e-5 * *nearest);
+    }
+    EXPECT_EQ(test.found.modes.size(), kWithin);
+  }
+}
+
 TEST(ResponseTest, EndsWhenItsBudgetIsSpent) {
   AnalysisOptions options;
   options.budget = Budget{.time_s = 1e-6};

@@ -75,6 +75,18 @@ TEST(HitWarnings, AskForAPointWhoseHitsAllDisagree) {
                              testing::EndsWith("measure this point again, or reject the hits that were elsewhere")));
 }
 
+TEST(HitWarnings, NameTheHumThatMayMoveBeforeAHit) {
+  std::vector<AnalysedHit> hits(2, {.hit = {.peak_N = 100}, .accepted = true});
+  EXPECT_TRUE(rest_warnings(hits, {}, {}).empty());
+  hits[1].responses.push_back({.may_ring_before = true});
+  const auto before = [&](const std::vector<Tone>& tones) { return rest_warnings(hits, {}, tones).at(0).message; };
+  EXPECT_THAT(before({}), testing::StartsWith("the structure was not at rest before hit 2: damping"));
+  EXPECT_THAT(before({{.freq_Hz = 641}}), testing::StartsWith("the structure was not at rest before hit 2"));
+  EXPECT_THAT(before({{.freq_Hz = 49.98}}),
+              testing::StartsWith("motion remains before hit 2 after the hum was removed: the structure was not at "
+                                  "rest, or a harmonic of the mains lies at a mode. Damping"));
+}
+
 // Files of hits of one point may be tests of different structures.
 TEST(HitWarnings, SuggestToSeparateFilesThatAreHitsOfOnePoint) {
   DisagreeingTest test = survey_with({4});

@@ -50,6 +50,25 @@ TEST(LocalFitWarnings, BlameNothingWhereTheJointFitDidNotConverge) {
   EXPECT_THAT(local_fit_warnings(misfitting_modes(3)).at(0).message, HasSubstr("Possible causes: a mode that is"));
 }
 
+// A peak that the removal of a tone left is no mode.
+TEST(UnmodelledPeakWarnings, NameTheTonesAmongThePeaks) {
+  constexpr std::pair<double, double> kBand_Hz{60, 1300};
+  constexpr double kSpacing_Hz = 1;
+  const std::vector<Tone> tones{{.freq_Hz = 49.98}, {.freq_Hz = 641, .wanders = true}};
+  const auto none = unmodelled_peak_warnings({{100, -40}, {252, -30}}, kBand_Hz, {}, kSpacing_Hz);
+  ASSERT_EQ(none.size(), 1U);
+  EXPECT_THAT(none[0].message, HasSubstr("100 Hz (-40 dB), 252 Hz (-30 dB)"));
+  EXPECT_EQ(none[0].options, std::vector<OptionId>{"start"});
+  const auto both = unmodelled_peak_warnings({{100, -40}, {252.5, -30}, {645, -20}}, kBand_Hz, tones, kSpacing_Hz);
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_THAT(both[0].message, HasSubstr("no mode models these peaks: 252.5 Hz (-30 dB)."));
+  EXPECT_THAT(both[1].message, HasSubstr("at the frequencies of tones: 100 Hz (-40 dB), 645 Hz (-20 dB)."));
+  EXPECT_THAT(both[1].message, Not(HasSubstr("starting frequency")));
+  EXPECT_TRUE(both[1].options.empty());
+  EXPECT_EQ(unmodelled_peak_warnings({{100, -40}}, kBand_Hz, tones, kSpacing_Hz).size(), 1U);
+  EXPECT_TRUE(unmodelled_peak_warnings({{1400, -40}}, kBand_Hz, tones, kSpacing_Hz).empty());
+}
+
 TEST(LocalFitWarnings, CountTheModesThatTheJointFitDescribesFarWorse) {
   std::vector<identify::Mode> modes = misfitting_modes(3);
   modes[1].joint_misfit = 2;  // keeps its local fit, too
