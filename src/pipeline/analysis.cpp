@@ -61,8 +61,8 @@ std::pair<double, double> Analysis::band_Hz() const {
   return options_.band_Hz ? *options_.band_Hz : source_->default_band_Hz(force_hits());
 }
 
-const acquire::LineRange& Analysis::lines() const {
-  return within_budget(budget_, lines_, [&] {
+const LineChoice& Analysis::line_choice() const {
+  return within_budget(budget_, line_choice_, [&] {
     const LineRequest request{.band_Hz = band_Hz(),
                               .band_given = options_.band_Hz.has_value(),
                               .length_given = options_.hits.length_s.has_value(),
@@ -72,9 +72,13 @@ const acquire::LineRange& Analysis::lines() const {
   });
 }
 
+const acquire::LineRange& Analysis::lines() const {
+  return given_frfs() != nullptr ? line_choice().lines : read_spectra().lines;
+}
+
 std::optional<DecayCut> Analysis::decay_cut() const {
   if (given_frfs() != nullptr || options_.hits.length_s) return std::nullopt;
-  const auto used = static_cast<double>(lines().samples);
+  const auto used = static_cast<double>(line_choice().lines.samples);
   const double fs_Hz = record().fs_Hz;
   const auto all =
       static_cast<double>(common_samples(record(), force_hits(), samples_without_data(corrected_delays(), fs_Hz)));
@@ -95,11 +99,12 @@ acquire::LineRange Analysis::band_lines() const {
 
 double Analysis::window_decay_per_s() const {
   if (!(options_.exponential_end > 0)) return source_->window_decay_per_s();
-  return frf::decay_for_end(options_.exponential_end, static_cast<double>(lines().samples) / record().fs_Hz);
+  return frf::decay_for_end(options_.exponential_end,
+                            static_cast<double>(line_choice().lines.samples) / record().fs_Hz);
 }
 
-TransformOptions Analysis::transform_options() const {
-  TransformOptions out{.lines = lines(), .window_decay_per_s = window_decay_per_s(), .threads = options_.threads};
+TransformOptions Analysis::transform_options(const acquire::LineRange& lines) const {
+  TransformOptions out{.lines = lines, .window_decay_per_s = window_decay_per_s(), .threads = options_.threads};
   if (const std::optional<DecayCut> cut = decay_cut()) {
     const double all = cut->all_s * record().fs_Hz;
     out.tone_samples = std::min(kToneReach * out.lines.samples, static_cast<std::size_t>(std::llround(all)));
@@ -107,23 +112,29 @@ TransformOptions Analysis::transform_options() const {
   return out;
 }
 
-const HitResponses& Analysis::responses() const {
-  return within_budget(budget_, responses_,
-                       [&] { return read_responses(aligned_record(), force_hits(), transform_options(), trace_); });
+const Analysis::ReadSpectra& Analysis::read_spectra() const {
+  return within_budget(budget_, read_spectra_, [&] {
+    const TransformOptions options = transform_options(line_choice().lines);
+    ReadSpectra out{.lines = {}, .responses = read_responses(aligned_record(), force_hits(), options, trace_)};
+    out.lines = end_lines(out.responses, force_hits(), band_Hz(), line_choice().end_Hz, options);
+    return out;
+  });
 }
+
+const HitResponses& Analysis::responses() const { return read_spectra().responses; }
 
 const std::vector<AnalysedHit>& Analysis::gated_hits() const {
   if (given_frfs() != nullptr || !any_tail(force_hits())) return force_hits();
   return within_budget(budget_, gated_hits_, [&] {
     std::vector<AnalysedHit> out = force_hits();
-    choose_gate(out, responses(), transform_options());
+    choose_gate(out, responses(), transform_options(lines()));
     return out;
   });
 }
 
 const std::vector<frf::Spectrum>& Analysis::force_spectra() const {
   return within_budget(budget_, force_spectra_,
-                       [&] { return pipeline::force_spectra(gated_hits(), transform_options(), trace_); });
+                       [&] { return pipeline::force_spectra(gated_hits(), transform_options(lines()), trace_); });
 }
 
 const std::vector<AnalysedHit>& Analysis::hits() const {

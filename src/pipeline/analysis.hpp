@@ -81,7 +81,7 @@ class Analysis {
   std::pair<double, double> band_Hz() const;
   /// Spectral lines of the FRFs: the whole band, and a margin for modes just outside it, extended past strong modes
   /// just beyond it (end_past_modes). The margin ends at 1.2 times the bandwidth of the force at the latest, and at
-  /// 0.44 of the sampling rate.
+  /// 0.44 of the sampling rate. Reads the responses.
   const acquire::LineRange& lines() const;
   /// Where the transforms leave out the end of the hits, because no spectral line of the band decays there: the time
   /// that they use. Nothing where they use all samples, where the user stated a length, and for FRFs that were given.
@@ -135,9 +135,17 @@ class Analysis {
   std::vector<Warning> warnings() const;
 
  private:
-  TransformOptions transform_options() const;
+  // The lines of the transforms: lines() and, of a record, some beyond.
+  const LineChoice& line_choice() const;
+  TransformOptions transform_options(const acquire::LineRange& lines) const;
   // force_hits(), with the gate of the force that explains the responses better.
   const std::vector<AnalysedHit>& gated_hits() const;
+  // The responses over lines(), and these lines, which the responses show.
+  struct ReadSpectra {
+    acquire::LineRange lines;
+    HitResponses responses;
+  };
+  const ReadSpectra& read_spectra() const;
   const HitResponses& responses() const;
   const std::vector<frf::Spectrum>& force_spectra() const;
   TestSpectra measured_spectra() const;
@@ -176,8 +184,9 @@ class Analysis {
   Lazy<acquire::Record> aligned_record_;
   // Results refer neither to the analysis nor to each other.
   Lazy<std::vector<AnalysedHit>> force_hits_, gated_hits_, hits_;
-  Lazy<acquire::LineRange> lines_;
-  Lazy<HitResponses> responses_, settled_responses_;
+  Lazy<LineChoice> line_choice_;
+  Lazy<ReadSpectra> read_spectra_;
+  Lazy<HitResponses> settled_responses_;
   Lazy<std::vector<frf::Spectrum>> force_spectra_;
   // The FRFs and modes with which earlier_ringing() searched. Set where it found no ringing: averaged_frfs_ and modes_
   // then begin with them.

@@ -49,7 +49,7 @@ const std::vector<EarlierRinging>& Analysis::earlier_ringing() const {
     std::vector<identify::Mode> known = first.modes;
     if (ringing.empty()) first_modes_ = std::move(first);
     for (int pass = 1; pass < kRingingPasses && rings_strongly(ringing); ++pass) {
-      const HitResponses settled = without_ringing(responses(), ringing, hits(), transform_options());
+      const HitResponses settled = without_ringing(responses(), ringing, hits(), transform_options(lines()));
       const TestSpectra quiet{.lines = from.lines,
                               .hits = from.hits,
                               .force = from.force,
@@ -68,7 +68,7 @@ const std::vector<EarlierRinging>& Analysis::earlier_ringing() const {
 TestSpectra Analysis::spectra() const {
   if (earlier_ringing().empty()) return measured_spectra();
   const HitResponses& settled = within_budget(budget_, settled_responses_, [&] {
-    return without_ringing(responses(), earlier_ringing(), hits(), transform_options());
+    return without_ringing(responses(), earlier_ringing(), hits(), transform_options(lines()));
   });
   return {.lines = lines(),
           .hits = hits(),

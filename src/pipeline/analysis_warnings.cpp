@@ -71,13 +71,15 @@ struct Analysis::HitEvidence {
   std::vector<Warning> other_units;      // point_force_warnings()
 };
 
-std::vector<Tone> Analysis::known_tones() const { return responses_.ready() ? responses().tones : std::vector<Tone>{}; }
+std::vector<Tone> Analysis::known_tones() const {
+  return read_spectra_.ready() ? responses().tones : std::vector<Tone>{};
+}
 
 Analysis::HitEvidence Analysis::hit_evidence() const {
   HitEvidence out{.graded = hits_.ready() ? hits() : force_hits()};
-  if (responses_.ready()) out.silent_points = silent_points(out.graded, responses());
+  if (read_spectra_.ready()) out.silent_points = silent_points(out.graded, responses());
   if (given_frfs() == nullptr) out.other_units = point_force_warnings(record(), out.graded, point_names());
-  if (modes_.ready() && modes().empty() && responses_.ready())
+  if (modes_.ready() && modes().empty() && read_spectra_.ready())
     out.silent_channels = silent_response_warnings(record(), out.graded, responses());
   return out;
 }
@@ -86,15 +88,16 @@ std::vector<Warning> Analysis::warnings_of_hits(const HitEvidence& evidence) con
   const std::vector<AnalysedHit>& graded = evidence.graded;
   const bool force_known = given_frfs() == nullptr;
   std::set<std::size_t> noisy_hits;
-  if (force_known && responses_.ready() && hits_.ready())
-    noisy_hits = hits_that_differ_by_noise(graded, responses(), transform_options());
-  if (force_known && responses_.ready() && hits_.ready()) noisy_hits.merge(hits_on_node_lines(graded, responses()));
+  if (force_known && read_spectra_.ready() && hits_.ready())
+    noisy_hits = hits_that_differ_by_noise(graded, responses(), transform_options(lines()));
+  if (force_known && read_spectra_.ready() && hits_.ready()) noisy_hits.merge(hits_on_node_lines(graded, responses()));
   for (const SilentPoint& one : evidence.silent_points) noisy_hits.insert(one.hits.begin(), one.hits.end());
   std::vector<Warning> out = hit_warnings(record(), graded, point_names(), noisy_hits);
   if (!force_known) return out;
   append(out, refused_hit_warnings(graded, options_.accept_hits, options_.reject_hits));
   append(out, evidence.other_units);
-  if (lines_.ready()) append(out, used_hit_warnings(record(), graded, lines().samples, point_names()));
+  if (line_choice_.ready())
+    append(out, used_hit_warnings(record(), graded, line_choice().lines.samples, point_names()));
   append(out, role_warnings(record(), graded, options_.hits));
   append(out, closed_gap_warnings(closed_gaps(), graded));
   return out;
@@ -106,11 +109,12 @@ std::vector<Warning> Analysis::warnings_of_channels(const HitEvidence& evidence)
   std::vector<Warning> out = channel_warnings(record(), graded);
   append(out, silent_point_warnings(record(), evidence.silent_points, point_names()));
   append(out, evidence.silent_channels);
-  if (force_known && responses_.ready() && hits_.ready()) append(out, record_findings(record(), graded, responses()));
+  if (force_known && read_spectra_.ready() && hits_.ready())
+    append(out, record_findings(record(), graded, responses()));
   if (modes_.ready() && force_known && evidence.other_units.empty())
     append(out, point_range_warnings(record(), graded, modes(), point_names()));
   if (modes_.ready() && force_known) append(out, pretrigger_warnings(record(), graded, fitted_frfs()));
-  if (responses_.ready() && options_.hits.gate_force) append(out, coupling_warnings(graded, band_Hz().first));
+  if (read_spectra_.ready() && options_.hits.gate_force) append(out, coupling_warnings(graded, band_Hz().first));
   append(out, rest_warnings(graded, earlier_ringing_.ready() ? earlier_ringing() : std::vector<EarlierRinging>{},
                             known_tones()));
   if (modes_.ready()) {
@@ -118,7 +122,7 @@ std::vector<Warning> Analysis::warnings_of_channels(const HitEvidence& evidence)
         .angles_assumed = options_.classes.angles_assumed,
         .tube = classifications_.ready() ? tube_sensors(record(), classifications()) : std::nullopt};
     const std::vector<bool> responding =
-        force_known && responses_.ready() ? responding_channels(record(), graded, responses()) : std::vector<bool>{};
+        force_known && read_spectra_.ready() ? responding_channels(record(), graded, responses()) : std::vector<bool>{};
     append(out, channel_mode_warnings(record(), modes(), channel_findings(), force_known, sensors, responding));
   }
   return out;

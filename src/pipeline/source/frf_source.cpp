@@ -55,8 +55,8 @@ std::pair<double, double> FrfSource::default_band_Hz(const std::vector<AnalysedH
   return {std::max(all.freq_Hz(0), default_low_Hz(high_Hz)), high_Hz};
 }
 
-acquire::LineRange FrfSource::choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& /*hits*/,
-                                           Trace& /*trace*/) const {
+LineChoice FrfSource::choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& /*hits*/,
+                                   Trace& /*trace*/) const {
   const acquire::LineRange& all = frfs_.lines;
   const auto [low_Hz, high_Hz] = request.band_Hz;
   const double top_Hz = all.freq_Hz(all.count - 1);
@@ -72,7 +72,7 @@ acquire::LineRange FrfSource::choose_lines(const LineRequest& request, const std
   lines.first = std::max(lines.first, all.first);
   lines.count = end > lines.first ? end - lines.first : 0;
   require_lines(lines, low_Hz, high_Hz, record_.source(), "widen the band");
-  return lines;
+  return {.lines = lines, .end_Hz = lines.freq_Hz(lines.count - 1)};
 }
 
 std::vector<FrfGroup> FrfSource::groups(const std::vector<AnalysedHit>& /*hits*/) const {

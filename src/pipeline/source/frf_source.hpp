@@ -14,8 +14,8 @@ class FrfSource : public Source {
   std::vector<acquire::Hit> find_hits(const acquire::HitOptions& /*options*/) const override { return {}; }
   bool has_frfs(const std::vector<AnalysedHit>& /*hits*/) const override { return true; }
   std::pair<double, double> default_band_Hz(const std::vector<AnalysedHit>& hits) const override;
-  acquire::LineRange choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,
-                                  Trace& trace) const override;
+  LineChoice choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,
+                          Trace& trace) const override;
   double window_decay_per_s() const override { return frfs_.decay_per_s; }
   std::vector<FrfGroup> groups(const std::vector<AnalysedHit>& hits) const override;
   acquire::PointFrf frf(const FrfGroup& group, const TestSpectra& spectra, frf::Estimator estimator) const override;

@@ -93,27 +93,40 @@ double end_past_modes(double end_Hz, std::pair<double, double> band_Hz, const ac
   return end;
 }
 
-std::vector<double> response_power(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
-                                   const acquire::LineRange& lines) {
+std::vector<double> response_power(const std::vector<AnalysedHit>& hits, const HitResponses& responses,
+                                   const TransformOptions& options) {
   constexpr double kWeakest = 0.01;  // of the force's largest power
+  const acquire::LineRange& lines = options.lines;
   std::vector<double> power(lines.count);
   if (power.empty()) return power;
   const std::vector<std::size_t> of_points = hits_of_points(hits);
   for (const std::size_t i : spread(of_points.size(), kMaxHits)) {
-    const acquire::Hit& hit = hits[of_points[i]].hit;
-    const auto force = frf::force_spectrum(frf::force_block(hit, record.fs_Hz, 0), lines);
+    const std::size_t h = of_points[i];
+    const auto force =
+        frf::force_spectrum(frf::force_block(hits[h].hit, lines.fs_Hz, options.window_decay_per_s), lines);
     double largest = 0;
     for (const Complex f : force) largest = std::max(largest, std::norm(f));
     if (!(largest > 0)) continue;
-    for (const std::size_t channel : spread(record.accel.size(), kMaxChannels)) {
-      std::vector<double> buffer;
-      const auto accel = record.read_accel_mps2.view_or_read(hit.row, channel, hit.first, lines.samples, buffer);
-      const auto response = frf::accel_spectrum(hit, accel, lines, 0);
+    for (const std::size_t channel : spread(responses.of[h].size(), kMaxChannels)) {
+      const std::span<const Complex> response = responses.of[h][channel].spectrum;
       for (std::size_t k = 0; k < power.size(); ++k)
         power[k] += std::norm(response[k]) / std::max(std::norm(force[k]), kWeakest * largest);
     }
   }
   return power;
+}
+
+acquire::LineRange end_lines(HitResponses& responses, const std::vector<AnalysedHit>& hits,
+                             std::pair<double, double> band_Hz, double end_Hz, const TransformOptions& options) {
+  acquire::LineRange lines = options.lines;
+  if (lines.freq_Hz(lines.count) > end_Hz + lines.df_Hz())  // else there is nothing to choose
+    end_Hz = end_past_modes(end_Hz, band_Hz, lines, response_power(hits, responses, options));
+  const acquire::LineRange ended = frf::lines_in_band(lines.fs_Hz, lines.samples, lines.freq_Hz(0), end_Hz);
+  lines.count = std::min(lines.count, ended.first + ended.count - lines.first);
+  for (std::vector<HitResponse>& of_hit : responses.of) {
+    for (HitResponse& one : of_hit) one.spectrum = one.spectrum.first(lines.count);
+  }
+  return lines;
 }
 
 }  // namespace percuss::pipeline

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "acquire/record/line_range.hpp"
-#include "acquire/record/record.hpp"
 #include "pipeline/hits/analysed_hit.hpp"
+#include "pipeline/hits/hit_spectra.hpp"
 
 namespace percuss::pipeline {
 
@@ -23,8 +23,12 @@ double end_past_modes(double end_Hz, std::pair<double, double> band_Hz, const ac
 double furthest_end_Hz(double end_Hz, std::pair<double, double> band_Hz);
 
 /// [lines.count] squared magnitude of the FRFs of a few accepted hits, of different points where there are several.
-/// Where the force is 20 dB below its largest line, it counts as that strong. `lines` may be longer than a hit needs.
-std::vector<double> response_power(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
-                                   const acquire::LineRange& lines);
+/// Where the force is 20 dB below its largest line, it counts as that strong.
+std::vector<double> response_power(const std::vector<AnalysedHit>& hits, const HitResponses& responses,
+                                   const TransformOptions& options);
+
+/// Removes the lines beyond end_past_modes() from the spectra of `responses`, and returns those that are left.
+acquire::LineRange end_lines(HitResponses& responses, const std::vector<AnalysedHit>& hits,
+                             std::pair<double, double> band_Hz, double end_Hz, const TransformOptions& options);
 
 }  // namespace percuss::pipeline

@@ -20,8 +20,6 @@ constexpr std::size_t kLongRow = std::size_t{1} << 17U;
 constexpr double kMinLowEnd = 1e-3;  // of the high end of the band: lower lines need long segments to see them decay
 constexpr double kUsableBandwidthFactor = 1.2;  // of the −20 dB bandwidth: limit of the margin
 
-constexpr std::size_t kMaxPeakSamples = std::size_t{1} << 16U;  // in which modes beyond the band are searched
-
 // Hits are ascending by row.
 bool any_row_has_several(const std::vector<AnalysedHit>& hits) {
   return std::adjacent_find(hits.begin(), hits.end(), [](const AnalysedHit& a, const AnalysedHit& b) {
@@ -84,8 +82,8 @@ void RecordSource::require_band(const LineRequest& request) const {
   pipeline::require_band(request.band_Hz, record_.fs_Hz, record_.source());
 }
 
-acquire::LineRange RecordSource::choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,
-                                              Trace& trace) const {
+LineChoice RecordSource::choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,
+                                      Trace& trace) const {
   require_accepted(hits);
   require_band(request);
   const std::size_t samples = block_samples(request, hits, trace);
@@ -96,15 +94,11 @@ acquire::LineRange RecordSource::choose_lines(const LineRequest& request, const 
   const auto [low_Hz, high_Hz] = request.band_Hz;
   const auto [from_Hz, to_Hz] = band_with_margin(low_Hz, high_Hz);
   const double limit_Hz = std::min(kUsableBandwidthFactor * bandwidth_Hz, kAntiAlias * record_.fs_Hz);
-  double top_Hz = std::max(high_Hz, std::min(to_Hz, limit_Hz));
-  if (const double furthest_Hz = std::min(furthest_end_Hz(top_Hz, request.band_Hz), limit_Hz); furthest_Hz > top_Hz) {
-    const acquire::LineRange few =
-        frf::lines_in_band(record_.fs_Hz, fast_length_at_most(std::min(samples, kMaxPeakSamples)), low_Hz, furthest_Hz);
-    top_Hz = end_past_modes(top_Hz, request.band_Hz, few, response_power(record_, hits, few));
-  }
-  const acquire::LineRange range = frf::lines_in_band(record_.fs_Hz, samples, from_Hz, top_Hz);
-  require_lines(range, low_Hz, high_Hz, record_.source(), "record longer or widen the band");
-  return range;
+  const double end_Hz = std::max(high_Hz, std::min(to_Hz, limit_Hz));
+  const double furthest_Hz = std::max(end_Hz, std::min(furthest_end_Hz(end_Hz, request.band_Hz), limit_Hz));
+  require_lines(frf::lines_in_band(record_.fs_Hz, samples, from_Hz, end_Hz), low_Hz, high_Hz, record_.source(),
+                "record longer or widen the band");
+  return {.lines = frf::lines_in_band(record_.fs_Hz, samples, from_Hz, furthest_Hz), .end_Hz = end_Hz};
 }
 
 std::vector<FrfGroup> RecordSource::groups(const std::vector<AnalysedHit>& hits) const {

@@ -20,6 +20,12 @@ struct LineRequest {
   std::size_t threads = 0;
 };
 
+/// The spectral lines of a test before its spectra are known.
+struct LineChoice {
+  acquire::LineRange lines;  // from the margin below the band to the highest possible end
+  double end_Hz = 0;         // the end of the lines, unless a strong mode lies just beyond (end_past_modes)
+};
+
 /// Where the data of a test come from: a record in time, or FRFs that were given. A source keeps no results: Analysis
 /// computes them in order, keeps them and passes them in.
 class Source {
@@ -40,11 +46,11 @@ class Source {
   virtual bool has_frfs(const std::vector<AnalysedHit>& hits) const = 0;
   /// The band of an analysis if the user states none.
   virtual std::pair<double, double> default_band_Hz(const std::vector<AnalysedHit>& hits) const = 0;
-  /// The band with a margin for modes just outside, past strong modes just beyond it, limited by the bandwidth of the
-  /// data. `hits` are graded by force.
+  /// The band with a margin for modes just outside, limited by the bandwidth of the data. FRFs that were given leave no
+  /// choice: their lines already end past strong modes just beyond the band. `hits` are graded by force.
   /// errors  InputError: no accepted hit, or a band that does not fit the data.
-  virtual acquire::LineRange choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,
-                                          Trace& trace) const = 0;
+  virtual LineChoice choose_lines(const LineRequest& request, const std::vector<AnalysedHit>& hits,
+                                  Trace& trace) const = 0;
   /// Decay rate of the exponential window that the data contain already; 0 without a window.
   virtual double window_decay_per_s() const = 0;
   /// The FRFs that exist or can be estimated, point by point, ascending. errors  InputError: no accepted hit.
