@@ -11,6 +11,7 @@
 #include "pipeline/hits/hit_consistency.hpp"
 #include "pipeline/hits/hit_grading.hpp"
 #include "pipeline/source/frf_source.hpp"
+#include "pipeline/source/modes_beyond.hpp"
 #include "pipeline/source/record_source.hpp"
 
 namespace percuss::pipeline {

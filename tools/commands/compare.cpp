@@ -50,7 +50,8 @@ void add_compare(CommandLine& line) {
       "numbers. Other modes are paired by family and order if both documents state them with 90 % confidence and the "
       "frequencies do not contradict. The remaining modes are paired by frequency, so that modes that crossed are "
       "exchanged. The output says which rule applied. Letters name the peaks of one order, as bending 3a and bending "
-      "3b, the lowest first; they pair from below. Compares the deflections of two documents likewise. analyze, survey, "
+      "3b, the lowest first; they pair from below. Compares the deflections of two documents likewise. analyze, "
+      "survey, "
       "deflect and model write such documents with --json.");
   command.example("percuss compare test.json model.json", "Compare a test with a model");
   command.example("percuss compare test.json model.json --furthest 40 -o compared.csv",

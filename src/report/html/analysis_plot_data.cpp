@@ -110,7 +110,9 @@ std::string analysis_plot_data(const pipeline::Analysis& analysis,
   const auto [low_Hz, high_Hz] = analysis.band_Hz();
   json["band_hz"] = {low_Hz, high_Hz};
   if (wanted.frfs) json["frf"] = frf_plot_json(analysis);
-  json["modes"] = modes_plot_json(analysis, modes != nullptr ? *modes : analysis.modes(), classifications);
+  json["modes"] = classifications.empty()  // a page without modes does not compute them
+                      ? Json::array()
+                      : modes_plot_json(analysis, modes != nullptr ? *modes : analysis.modes(), classifications);
   if (wanted.stabilisation)
     json["stabilisation"] = stabilisation_plot_json(analysis.stabilisation(), analysis.unmodelled_poles());
   return ascii_text(json);
