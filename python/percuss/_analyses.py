@@ -150,7 +150,7 @@ class Analysis(TestResult):
     def frac(self) -> np.ndarray:
         """(points, channels) frequency response assurance criterion of measured and synthesised FRF: 1 if they are equal.
 
-        Synthesised from all fitted modes, also those that `start` and `modes` do not list; so are the residual terms.
+        Synthesised from all fitted modes, listed by `start` and `modes` or not; so are the residual terms.
         """
         return self._residual_term("frac")
 

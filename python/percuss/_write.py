@@ -21,8 +21,8 @@ def write(path: str | bytes | os.PathLike[str], data: Record | Frf | Synthetic |
     path : path
         .h5, .hdf5, .csv, .mat, .uff, .unv; records also .wav, .rf64, .w64.
     data : Record, Frf, Synthetic, AveragedFrf, Analysis or Survey
-        A Record or Frf is written as it is; of a Synthetic, its record; of an AveragedFrf, Analysis
-        or Survey, its FRFs.
+        A Record or Frf is written unchanged. Of a Synthetic, the record is written; of an
+        AveragedFrf, Analysis or Survey, the FRFs.
     force : bool, optional
         Overwrite an existing file.
 

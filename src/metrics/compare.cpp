@@ -130,7 +130,7 @@ std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocu
   return pairs;
 }
 
-// The modes of one order that are second peaks of a split mode, or those that are not.
+// The modes of one order: the second peaks of split modes, or all others.
 std::vector<std::size_t> peaks_of(const ComparedDocument& document, const std::vector<std::size_t>& modes,
                                   bool second) {
   std::vector<std::size_t> out;

@@ -99,7 +99,7 @@ class Analysis {
   const identify::FrfDataset& fitted_frfs() const;
   /// Modes within the band, ascending.
   const std::vector<identify::Mode>& modes() const;
-  /// All modes of the fit within the band, ascending: modes(), and those that the user's choice leaves out.
+  /// All modes of the fit within the band, ascending: modes(), and the modes that the user's choice leaves out.
   std::vector<identify::Mode> fitted_modes() const;
   /// Computes modes() and frfs() in the order that takes less time.
   void compute_modes_and_frfs() const;

@@ -102,7 +102,7 @@ void refuse_beside_others(const std::exception_ptr& error, const std::string& pa
     throw InputError(
         ambiguous.problem(), path,
         "if it is not a test like the other files of the folder, move it, or name the others by a pattern");
-  } catch (...) {  // another error stays as it is
+  } catch (...) {  // another error stays the same
   }
 }
 

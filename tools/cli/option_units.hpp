@@ -17,7 +17,7 @@ struct NumberAndUnit {
 };
 NumberAndUnit split_unit(std::string_view text);
 
-/// Whether the placeholder is one of those that in_option_unit() converts to.
+/// Whether in_option_unit() converts to the unit of the placeholder.
 bool has_option_units(std::string_view placeholder);
 
 }  // namespace percuss::tools

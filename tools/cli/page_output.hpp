@@ -5,7 +5,7 @@
 
 namespace percuss::tools {
 
-/// Writes a page: HTML as it is, PDF as a browser prints it.
+/// Writes a page: HTML unchanged, PDF as a browser prints it.
 /// errors  InputError: no browser, or it fails; as write_file
 void write_page(const std::string& path, const std::string& html, const OutputFlags& flags);
 

@@ -45,14 +45,13 @@ void add_compare(CommandLine& line) {
                                  [flags] { return compare(*flags); });
   command.about(
       "Pairs the modes of the first document with the modes of each other document, and shows the differences. Modes "
-      "with three common places are paired by shape. The MAC is that of the shapes over the common points, or over "
-      "the channels where there are fewer than three points. Points are matched by their coordinates, else by their "
-      "numbers. Other modes are paired by family and order if both documents state them with 90 % confidence and the "
+      "with three common places are paired by shape. The MAC compares the shapes at the common points, or the "
+      "channels if there are fewer than three points. Points are matched by their coordinates, else by their numbers. "
+      "Other modes are paired by family and order if both documents state them with 90 % confidence and the "
       "frequencies do not contradict. The remaining modes are paired by frequency, so that modes that crossed are "
       "exchanged. The output says which rule applied. Letters name the peaks of one order, as bending 3a and bending "
       "3b, the lowest first; they pair from below. Compares the deflections of two documents likewise. analyze, "
-      "survey, "
-      "deflect and model write such documents with --json.");
+      "survey, deflect and model write such documents with --json.");
   command.example("percuss compare test.json model.json", "Compare a test with a model");
   command.example("percuss compare test.json model.json --furthest 40 -o compared.csv",
                   "Pair modes up to 40 % apart, and write a table");

@@ -204,8 +204,8 @@ void add_survey(CommandLine& line) {
       .list("--driving-point", flags->driving,
             "Name driving points: a point struck beside the sensor of a channel, by the point's number and the "
             "channel's, which counts from 0 as in JSON; 1:0 is point 1 and the first channel. Where each file is a "
-            "point, POINT is the file's name (P7:0) or a number: the one in the file's name, else that of a geometry "
-            "that counts from 1, else that of the record (default: points at the position of a sensor)")
+            "point, POINT is the file's name (P7:0) or a number. The number is the one in the file's name, else of a "
+            "geometry that counts from 1, else of the record (default: points at the position of a sensor)")
       .type("POINT:CHANNEL,...");
   command.list("--picture", flags->pictures, "Draw these pictures in a .svg file")
       .one_of(report::survey_chart_names())

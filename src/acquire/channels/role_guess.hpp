@@ -53,7 +53,7 @@ inline constexpr std::size_t kMinRisingSamples = 8;
 bool rises_evenly(std::span<const double> samples);
 
 /// Guesses the unknown roles from the samples. A signal that rises evenly is a time. The force is the signal with the
-/// smallest hammer_dissimilarity() among those that neither a unit nor the user states to be responses. Times,
+/// smallest hammer_dissimilarity(), unless a unit or the user states that a signal is a response. Times,
 /// counters, signals that the set-up ignores, and signals of another quantity (a velocity, an angle) get no role. All
 /// others are accelerations, also a single signal and signals that are all alike. Of hits side by side, each with a
 /// force by its unit, only the first is taken. The force in `known` stays, as do the accelerations that the options

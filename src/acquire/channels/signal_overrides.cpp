@@ -9,7 +9,7 @@
 namespace percuss::acquire {
 namespace {
 
-// The place of a channel among those that are read, and the name of the file.
+// The place of a channel in the list of channels to read, and the name of the file.
 struct ListPlace {
   std::size_t index, count;
   const std::string& where;

@@ -15,7 +15,7 @@ namespace {
 constexpr double kMinPeriods = 8;  // of the lower end of the band in a segment: the window separates it from drift
 constexpr std::size_t kMaxSegment = std::size_t{1} << 14U;
 constexpr double kAboveLineNoise = 25;   // times the median power; 1 of 3·10^7 noise lines exceeds it
-constexpr double kDecayRatio = 1.5;      // of powers; that of hum changes less
+constexpr double kDecayRatio = 1.5;      // of powers; the power of hum changes less
 constexpr std::size_t kFloorLines = 32;  // give a median
 
 // Samples of a segment, a power of two; 0 where two segments that resolve the band have no room.

@@ -56,8 +56,8 @@ struct FileFormat {
   std::vector<std::string> (*frf_losses)(const FrfRecord& record) = nullptr;
   bool keeps_marks = false;         // RowInfo::mark and Record::faults
   bool keeps_date = false;          // of a record: common_date_of() its files
-  bool keeps_faces = false;         // Record::trace_faces, except those that record_losses names
-  bool keeps_frf_geometry = false;  // files of FRFs keep points, lines and faces, except those that frf_losses names
+  bool keeps_faces = false;         // Record::trace_faces, except what record_losses names
+  bool keeps_frf_geometry = false;  // files of FRFs keep points, lines and faces, except what frf_losses names
 };
 
 /// ".h5" of "bat.H5".

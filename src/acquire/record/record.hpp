@@ -35,7 +35,7 @@ struct SignalInfo {
   Quantity measures = Quantity::acceleration;  // force, acceleration, or the pressure at a microphone
 };
 
-/// Whether the signal is that of a microphone, in Pa.
+/// Whether the signal comes from a microphone, in Pa.
 inline bool is_pressure(const SignalInfo& signal) { return signal.measures == Quantity::pressure; }
 
 /// A range of time in which all signals were sampled without a gap, except for the missing samples in Record::faults.

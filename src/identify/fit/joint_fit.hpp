@@ -30,7 +30,7 @@ struct JointFitOptions {
   double core_share = 0;        // see LineGroups
   int max_small_decreases = 0;  // see LevenbergMarquardtOptions
   bool test_real = true;        // false: all residues stay complex, at a fraction of the work
-  std::vector<Pole> held{};     // equal to poles of the start, which do not move; their std is that of free poles
+  std::vector<Pole> held{};     // equal to poles of the start, which do not move; their std is as of free poles
 };
 
 /// Maximum likelihood fit of H1 estimates with noise on the response. Poles are found by Levenberg–Marquardt with an

@@ -15,7 +15,7 @@ using Eigen::VectorXcd;
 
 constexpr std::size_t kMinDrifting = 3;
 constexpr double kAlike = 0.2;                // of the median drift
-constexpr double kMostAlike = 0.75;           // part of the drifting modes
+constexpr double kMinPartAlike = 0.75;        // of the drifting modes
 constexpr std::size_t kFlopsPerColumn = 100;  // of a mode's column, per line
 
 // Hits from the middle of the test, [hits].
@@ -58,7 +58,7 @@ std::optional<DriftTrend> common_drift(const std::vector<Mode>& modes) {
     sum += weight * mode.drift->freq_change_per_hit;
     ++alike;
   }
-  if (static_cast<double>(alike) < kMostAlike * static_cast<double>(change.size()) || !std::isfinite(sum / weights))
+  if (static_cast<double>(alike) < kMinPartAlike * static_cast<double>(change.size()) || !std::isfinite(sum / weights))
     return std::nullopt;
   return DriftTrend{.freq_change_per_hit = sum / weights, .std = 1 / std::sqrt(weights)};
 }

@@ -9,7 +9,7 @@
 namespace percuss::identify {
 
 /// The drift that the modes have in common, as a temperature causes it: the relative change of every frequency per hit.
-/// Nothing where fewer than three modes drift, or where less than three quarters of those that do drift alike (within a
+/// Nothing if fewer than three modes drift, or if less than three quarters of the drifting modes drift alike (within a
 /// fifth).
 std::optional<DriftTrend> common_drift(const std::vector<Mode>& modes);
 
@@ -27,7 +27,7 @@ SteadyTest without_drift(const FrfDataset& set, const HitFrfs& hits, const std::
                          double change_per_hit);
 
 /// Gives each mode the drift, and a standard deviation of at least the spread of its frequency over `hits` hits. The
-/// scatter between hits is that of the nearest mode of `before`, within a half-power bandwidth.
+/// scatter between hits is taken from the nearest mode of `before`, within a half-power bandwidth.
 void describe_common_drift(const DriftTrend& drift, std::size_t hits, const std::vector<Mode>& before,
                            std::vector<Mode>& modes);
 

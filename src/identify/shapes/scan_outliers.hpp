@@ -11,7 +11,7 @@ namespace percuss::identify {
 /// Hits at a point of a scan whose amplitudes do not fit the shapes through the other points.
 struct ScanOutlier {
   std::size_t point = 0;          // of the shapes
-  std::vector<std::size_t> hits;  // AmplitudeOfHit::hit of those that do not fit, ascending; empty: all of the point
+  std::vector<std::size_t> hits;  // AmplitudeOfHit::hit of the hits that do not fit, ascending; empty: all of the point
   double deviations = 0;          // standard deviations from the curves, reached in at least two modes
   std::optional<double> fits_m;   // the position whose amplitudes they have, within the scan
 };

@@ -108,7 +108,7 @@ std::size_t clearest_point(const SensorPair& pair, const Points& points, std::si
 
 bool contradicts(const ReferenceContradiction& at) { return std::abs(at.factor - 1) >= kMinContradiction; }
 
-// The points that agree with the reference point, or the larger group of those that agree with each other against it.
+// The points that agree with the reference point, or a larger group of points that agree with each other against it.
 Points largest_group(const SensorPair& pair, const Points& points, std::size_t modes) {
   const auto of_reference = pair.usual_ratios({clearest_point(pair, points, modes)}, 1);
   Points same;

@@ -27,7 +27,7 @@ double furthest_end_Hz(double end_Hz, std::pair<double, double> band_Hz);
 std::vector<double> response_power(const std::vector<AnalysedHit>& hits, const HitResponses& responses,
                                    const TransformOptions& options);
 
-/// Removes the lines beyond end_past_modes() from the spectra of `responses`, and returns those that are left.
+/// Removes the lines beyond end_past_modes() from the spectra of `responses`, and returns the remaining lines.
 acquire::LineRange end_lines(HitResponses& responses, const std::vector<AnalysedHit>& hits,
                              std::pair<double, double> band_Hz, double end_Hz, const TransformOptions& options);
 

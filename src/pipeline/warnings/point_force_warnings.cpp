@@ -30,7 +30,7 @@ constexpr std::size_t kMaxListedPoints = 20;
 constexpr double kMinRangeFactor = 5;
 constexpr std::size_t kMinUsualPoints = 6;     // points with the usual force
 constexpr std::size_t kPointsPerDoubtful = 3;  // at most one point of so many may have another force
-// A soft blow has a longer pulse, and a soft place too. A wrong range leaves the pulse as it is.
+// A soft blow has a longer pulse, and a soft place too. A wrong range does not change the pulse.
 constexpr double kMaxPulseFactor = 1.3;
 // Limits of a mode's amplitude at one point over its largest amplitude at the other points. In 4000 simulated beams and
 // plates, the second largest of these ratios over the modes is below 1.5 at every point, and the largest is above 0.25

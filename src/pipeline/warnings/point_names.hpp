@@ -20,9 +20,9 @@ std::string short_file_name(const std::string& path);
 std::vector<std::string> files_of_points(const acquire::Record& record, const std::set<int>& points);
 
 /// The numbers in names that differ in whole numbers only: 1, 2, 10 for P1.csv, P2.csv, P10.csv. If several numbers of
-/// the names differ, those that are all in `geometry`, the numbers of a stated geometry: 1 and 3 for M7_P1.csv and
-/// M9_P3.csv, where it has the points 1 to 3. Nothing for other names, for numbers of more than nine digits, for equal
-/// numbers, and where several numbers of the names fit the geometry.
+/// the names differ, the one whose values are all in `geometry`, the numbers of a stated geometry: 1 and 3 for
+/// M7_P1.csv and M9_P3.csv, if it has the points 1 to 3. Nothing for other names, for numbers of more than nine digits,
+/// for equal numbers, and where several numbers of the names fit the geometry.
 std::optional<std::vector<int>> numbers_in_names(const std::vector<std::string>& names,
                                                  const std::set<int>& geometry = {});
 

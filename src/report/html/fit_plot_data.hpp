@@ -18,11 +18,10 @@ std::vector<std::size_t> drawn_lines(const acquire::LineRange& band, const std::
 /// The data of the plot "fit": every measured FRF against the FRF synthesised from the modes.
 ///   {first_hz, df_hz, count, of, lines, channels: [names], points: [numbers], places: [[x, y, z] or null] (surveys),
 ///    frfs: [{point, channel, frac, bits}], peaks: [{hz, db}]}
-/// `count` is the number of drawn lines, `of` that of the band. `point` and `channel` are indices. `lines` and `bits`
-/// are Rice codes (rice_code.hpp): `lines` are indices from first_hz on. `bits` are the measured level and phase; where
-/// modes exist, also synthesised less measured level and phase, and the level of the residual. Steps: 0.1 dB, 1/512
-/// turn, 1 dB for the residual.
-/// `survey`: nullptr for a test without geometry.
+/// `count` is the number of drawn lines, `of` the number of lines in the band. `point` and `channel` are indices.
+/// `lines` and `bits` are Rice codes (rice_code.hpp): `lines` are indices from first_hz on. `bits` are the measured
+/// level and phase; where modes exist, also synthesised less measured level and phase, and the level of the residual.
+/// Steps: 0.1 dB, 1/512 turn, 1 dB for the residual. `survey`: nullptr for a test without geometry.
 nlohmann::ordered_json fit_plot_json(const pipeline::Analysis& analysis, const pipeline::Survey* survey);
 
 /// The data of the plot "indicator": {first_hz, df_hz, values, mif}. `values` are the curves of the CMIF's

@@ -252,7 +252,7 @@ std::vector<metrics::ComparedDocument> parse_documents(std::string_view text, co
   const auto value = parse_json<nlohmann::json>(
       {.text = text,
        .where = where,
-       .remedy = "give a JSON document that percuss wrote; for a record, that of percuss analyze",
+       .remedy = "give a JSON document that percuss wrote; percuss analyze writes one of a record",
        .max_depth = kMaxDepth},
       kWantedKeys);
   const Part top(value, where);
