@@ -18,10 +18,10 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 constexpr double kMinWindowLines = 8;  // lines on either side of a pole
-constexpr double kMaxWindowLines =
-    400;  // lines on either side: the polynomial follows other modes' tails only over a short window
-constexpr double kMinForcePower =
-    1e-6;  // of the strongest line's power: FRFs are meaningless at the zeros of a pulse's spectrum
+// Lines on either side of a pole: the polynomial follows other modes' tails only over a short window.
+constexpr double kMaxWindowLines = 400;
+// Of the strongest line's power: FRFs are meaningless at the zeros of a pulse's spectrum.
+constexpr double kMinForcePower = 1e-6;
 constexpr double kMinWindowNoise = 1e-3;        // of the noise elsewhere: an FRF without residual keeps a finite weight
 constexpr std::size_t kFlopsPerPowerLine = 10;  // of |H|² and its comparison
 constexpr std::size_t kOutgrown = 2;  // a window is replaced if the new one has more than this many times its lines
@@ -39,7 +39,7 @@ void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_
   }
 }
 
-// Of the lines at which the hammer has power.
+// The largest |H| of a channel over the lines at which the hammer has power.
 double largest_driven_magnitude(const FrfDataset& set, const FrfChannel& channel) {
   const std::vector<double>& ff = set.points[channel.point].ff;
   const double least = ff.empty() ? 0 : kMinForcePower * *std::max_element(ff.begin(), ff.end());

@@ -59,7 +59,7 @@ std::optional<CurvesOfDegree> curves_of_degree(const VectorXd& u, const MatrixXd
                                        static_cast<double>(u.size())};
 }
 
-// The degrees of all modes, and what they say of the point.
+// Chooses the degree of each mode by BIC, and predicts the amplitudes at the point.
 PredictedPoint predicted_by(const std::vector<CurvesOfDegree>& fits, Index points, Index modes) {
   const auto n = static_cast<double>(points);
   const VectorXd none = VectorXd::Zero(modes);
@@ -79,6 +79,7 @@ PredictedPoint predicted_by(const std::vector<CurvesOfDegree>& fits, Index point
     }
     out.cost += least;
     const CurvesOfDegree& fit = fits[best];
+    // The neighbouring degree shows how far the prediction depends on the choice.
     const CurvesOfDegree& other = fits[best + 1 < fits.size() ? best + 1 : best > 0 ? best - 1 : best];
     out.value(m) = fit.value(m);
     variance(m) = fit.squares(m) / static_cast<double>(points - fit.degree - 1);
@@ -89,8 +90,8 @@ PredictedPoint predicted_by(const std::vector<CurvesOfDegree>& fits, Index point
     model(m) = other.value(m) - fit.value(m);
     if (slope2(m) > 0) placement2.push_back(variance(m) / slope2(m));
   }
-  // Errors of the places are common to all modes. They are larger where the shape is steep, and those of the direction
-  // where it is high.
+  // Errors of the places are common to all modes. They matter more where the shape is steep; errors of the direction,
+  // where the amplitude is large.
   const double common2 = placement2.empty() ? 0 : median(placement2);
   for (Index m = 0; m < modes; ++m) {
     const double typical = std::max(variance(m), common2 * slope2(m));

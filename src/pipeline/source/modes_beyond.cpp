@@ -13,11 +13,11 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kBeyond = 0.10;         // of the band's width: further away, the residual terms follow the flank
-constexpr double kMaxBeyond = 0.20;      // likewise, of the lines that are added
+constexpr double kMaxBeyond = 0.20;      // of the band's width: limit of all added lines
 constexpr double kMinAmplitude = 0.2;    // of the largest one in the band
 constexpr double kMinPowerRatio = 20;    // of a peak to the median of the lines
 constexpr double kBandwidthsBeyond = 5;  // half-power bandwidths from the peak to the new end
-constexpr std::size_t kMaxHits = 8, kMaxChannels = 4;  // that a spectrum is computed of
+constexpr std::size_t kMaxHits = 8, kMaxChannels = 4;  // whose power spectra are summed
 
 struct Peak {
   double freq_Hz = 0;
@@ -95,7 +95,7 @@ double end_past_modes(double end_Hz, std::pair<double, double> band_Hz, const ac
 
 std::vector<double> response_power(const std::vector<AnalysedHit>& hits, const HitResponses& responses,
                                    const TransformOptions& options) {
-  constexpr double kWeakest = 0.01;  // of the force's largest power
+  constexpr double kMinForcePower = 0.01;  // of the largest: keeps lines without force from dominating
   const acquire::LineRange& lines = options.lines;
   std::vector<double> power(lines.count);
   if (power.empty()) return power;
@@ -110,7 +110,7 @@ std::vector<double> response_power(const std::vector<AnalysedHit>& hits, const H
     for (const std::size_t channel : spread(responses.of[h].size(), kMaxChannels)) {
       const std::span<const Complex> response = responses.of[h][channel].spectrum;
       for (std::size_t k = 0; k < power.size(); ++k)
-        power[k] += std::norm(response[k]) / std::max(std::norm(force[k]), kWeakest * largest);
+        power[k] += std::norm(response[k]) / std::max(std::norm(force[k]), kMinForcePower * largest);
     }
   }
   return power;
