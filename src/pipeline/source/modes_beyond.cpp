@@ -49,7 +49,7 @@ std::optional<Peak> strong_peak(double end_Hz, double to_Hz, double least_power,
 }
 
 // Up to `most` of the indices 0 … count − 1, evenly spread.
-std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
+std::vector<std::size_t> evenly_spaced(std::size_t count, std::size_t most) {
   std::vector<std::size_t> out;
   const std::size_t used = std::min(count, most);
   for (std::size_t i = 0; i < used; ++i) out.push_back(i * count / used);
@@ -100,14 +100,14 @@ std::vector<double> response_power(const std::vector<AnalysedHit>& hits, const H
   std::vector<double> power(lines.count);
   if (power.empty()) return power;
   const std::vector<std::size_t> of_points = hits_of_points(hits);
-  for (const std::size_t i : spread(of_points.size(), kMaxHits)) {
+  for (const std::size_t i : evenly_spaced(of_points.size(), kMaxHits)) {
     const std::size_t h = of_points[i];
     const auto force =
         frf::force_spectrum(frf::force_block(hits[h].hit, lines.fs_Hz, options.window_decay_per_s), lines);
     double largest = 0;
     for (const Complex f : force) largest = std::max(largest, std::norm(f));
     if (!(largest > 0)) continue;
-    for (const std::size_t channel : spread(responses.of[h].size(), kMaxChannels)) {
+    for (const std::size_t channel : evenly_spaced(responses.of[h].size(), kMaxChannels)) {
       const std::span<const Complex> response = responses.of[h][channel].spectrum;
       for (std::size_t k = 0; k < power.size(); ++k)
         power[k] += std::norm(response[k]) / std::max(std::norm(force[k]), kMinForcePower * largest);
