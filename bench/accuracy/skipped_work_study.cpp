@@ -34,9 +34,11 @@ synth::SynthSpec long_record(double seconds) {
   return spec;
 }
 
+// Records in a temporary folder.
 class Files {
  public:
-  std::string of(const synth::SynthSpec& spec, const std::string& name) const {
+  // Writes the record of a spec as HDF5 and returns its path.
+  std::string write(const synth::SynthSpec& spec, const std::string& name) const {
     std::string path = folder_.file(name + ".h5");
     acquire::write_hdf5(path, synth::synthesise(spec).record, true);
     return path;
@@ -48,8 +50,9 @@ class Files {
 
 enum class Wanted { hits, frfs, modes };
 
-std::function<void()> analysis_of(const std::string& path, const pipeline::AnalysisOptions& options, Wanted wanted,
-                                  const acquire::ReadOptions& reading = {}) {
+// Opens the record and analyses it on one thread, up to the wanted result.
+std::function<void()> analysis_task(const std::string& path, const pipeline::AnalysisOptions& options, Wanted wanted,
+                                    const acquire::ReadOptions& reading = {}) {
   return [=] {
     pipeline::AnalysisOptions one = options;
     one.threads = 1;
@@ -64,8 +67,8 @@ std::function<void()> analysis_of(const std::string& path, const pipeline::Analy
 
 std::vector<Saving> study_skips(Extent extent, const TimingOptions& timing) {
   const Files files;
-  const std::string many = files.of(plain_test(kChannels), "many"), two = files.of(plain_test(2), "two");
-  const std::string row = files.of(long_record(extent == Extent::quick ? 10 : 60), "long");
+  const std::string many = files.write(plain_test(kChannels), "many"), two = files.write(plain_test(2), "two");
+  const std::string row = files.write(long_record(extent == Extent::quick ? 10 : 60), "long");
   const pipeline::AnalysisOptions plain{.band_Hz = kBand_Hz}, narrow{.band_Hz = kNarrow_Hz};
   pipeline::AnalysisOptions ungated = plain, rejecting = plain, whole_rows = plain, quick = plain;
   ungated.hits.gate_force = false;
@@ -82,23 +85,23 @@ std::vector<Saving> study_skips(Extent extent, const TimingOptions& timing) {
     savings.push_back({.what = what, .when = when, .with_s = best_s[0], .without_s = best_s[1]});
   };
   using enum Wanted;
-  compare("seven of eight channels", "`--accel-channel 1`: their bytes are not read", analysis_of(many, plain, frfs),
-          analysis_of(many, plain, frfs, one_channel));
-  compare("accelerations", "`--only hits`: their bytes are not read", analysis_of(many, plain, frfs),
-          analysis_of(many, plain, hits));
-  compare("modes", "`--only frf`: no section of the report needs them", analysis_of(two, plain, modes),
-          analysis_of(two, plain, frfs));
-  compare("the search for modes without a peak and the joint fit", "`--effort quick`", analysis_of(two, plain, modes),
-          analysis_of(two, quick, modes));
+  compare("seven of eight channels", "`--accel-channel 1`: their bytes are not read", analysis_task(many, plain, frfs),
+          analysis_task(many, plain, frfs, one_channel));
+  compare("accelerations", "`--only hits`: their bytes are not read", analysis_task(many, plain, frfs),
+          analysis_task(many, plain, hits));
+  compare("modes", "`--only frf`: no section of the report needs them", analysis_task(two, plain, modes),
+          analysis_task(two, plain, frfs));
+  compare("the search for modes without a peak and the joint fit", "`--effort quick`", analysis_task(two, plain, modes),
+          analysis_task(two, quick, modes));
   compare("lines outside a narrow band", "`--band 60:700`: not stored, not averaged, not fitted",
-          analysis_of(two, plain, modes), analysis_of(two, narrow, modes));
-  compare("eight of ten hits", "rejected: their accelerations are not read", analysis_of(two, plain, frfs),
-          analysis_of(two, rejecting, frfs));
+          analysis_task(two, plain, modes), analysis_task(two, narrow, modes));
+  compare("eight of ten hits", "rejected: their accelerations are not read", analysis_task(two, plain, frfs),
+          analysis_task(two, rejecting, frfs));
   compare("the force outside its pulse",
           "unless `--force-window off`: it is only noise, so the short pulse is transformed alone",
-          analysis_of(two, ungated, frfs), analysis_of(two, plain, frfs));
+          analysis_task(two, ungated, frfs), analysis_task(two, plain, frfs));
   compare("silence and decayed tails of a long record", "always: only background follows a decay",
-          analysis_of(row, whole_rows, modes), analysis_of(row, plain, modes));
+          analysis_task(row, whole_rows, modes), analysis_task(row, plain, modes));
   return savings;
 }
 

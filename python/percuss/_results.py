@@ -181,7 +181,7 @@ class Synthetic(Result):
 
     def __init__(self, outcome: Any, again: tuple[Any, tuple[Any, ...]]) -> None:
         super().__init__(outcome)
-        self._again = again
+        self._again = again  # the function that makes this result, and its arguments
 
     @property
     def record(self) -> Record:

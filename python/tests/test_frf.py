@@ -17,11 +17,15 @@ RESIDUES = np.array([[[0.5, -0.2], [0.3, 0.4]], [[-0.1, 0.6], [0.2, 0.2]]])  # (
 POLES = 2 * np.pi * MODES_HZ * (-DAMPING + 1j * np.sqrt(1 - DAMPING**2))  # rad/s
 
 
+def modal_sum(residues, s, power=2):
+    """(…, lines): accelerance at s of residues (modes, …), with power 1 mobility, with 0 receptance."""
+    omega = 2 * np.pi * MODES_HZ[:, None]
+    return np.einsum("m...,ml->...l", residues, s**power / (s**2 + 2 * DAMPING[:, None] * omega * s + omega**2))
+
+
 def exact(freq_hz, power=2):
     """(points, channels, lines): accelerance, with power 1 mobility, with 0 receptance."""
-    s = 2j * np.pi * np.asarray(freq_hz)
-    omega = 2 * np.pi * MODES_HZ[:, None]
-    return np.einsum("mpc,ml->pcl", RESIDUES, s**power / (s**2 + 2 * DAMPING[:, None] * omega * s + omega**2))
+    return modal_sum(RESIDUES, 2j * np.pi * np.asarray(freq_hz), power)
 
 
 @pytest.fixture(scope="module")
@@ -205,9 +209,7 @@ def test_mac_matches_points_by_their_coordinates():
 
 def responses_of(shapes):
     """(points, 1, lines) of shapes (modes, points), struck at each point and measured at one sensor."""
-    s = 2j * np.pi * FREQ_HZ
-    omega = 2 * np.pi * MODES_HZ[:, None]
-    return np.einsum("mp,ml->pl", shapes, s**2 / (s**2 + 2 * DAMPING[:, None] * omega * s + omega**2))[:, None]
+    return modal_sum(shapes, 2j * np.pi * FREQ_HZ)[:, None]
 
 
 def test_frfs_of_a_result_keep_the_channels(bat):
@@ -227,9 +229,7 @@ def test_frfs_under_an_exponential_window_have_the_damping_without_it():
     """H of a window exp(−a t) over force and response is H(jω + a)."""
     fraction, spacing_hz = 0.01, 1.0
     decay_per_s = -np.log(fraction) * spacing_hz
-    s = 2j * np.pi * FREQ_HZ + decay_per_s
-    omega = 2 * np.pi * MODES_HZ[:, None]
-    seen = np.einsum("mpc,ml->pcl", RESIDUES, s**2 / (s**2 + 2 * DAMPING[:, None] * omega * s + omega**2))
+    seen = modal_sum(RESIDUES, 2j * np.pi * FREQ_HZ + decay_per_s)
     found = percuss.analyze(percuss.Frf(FREQ_HZ, seen, exponential=fraction), band=(60, 700), object="other")
     assert np.allclose(found.damping_ratio, DAMPING, rtol=FIT)
     unstated = percuss.analyze(percuss.Frf(FREQ_HZ, seen), band=(60, 700), object="other")

@@ -87,7 +87,7 @@ void Journal::load(const ShardLabel& label, bool anew) {
     }
     end_ = lines.end();
   }
-  // Removes the incomplete last line of a killed writer.
+  // A killed writer may leave an incomplete last line.
   remove_incomplete_line();
   if (!known) append(label_line(label) + "\n");
 }

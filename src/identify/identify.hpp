@@ -15,8 +15,9 @@ struct IdentifyOptions {
   std::vector<double> start_Hz;      // return at most one mode near each of these frequencies, and no others
 };
 
-/// The modes of a set of FRFs in ascending frequency, with one standard deviation of each value. With stated
-/// frequencies: the modes of the search that they name, and the modes fitted from the others (with_started_modes).
+/// The modes of a set of FRFs in ascending frequency, with one standard deviation of each value. With options.start_Hz:
+/// the modes of the search that these frequencies name, and modes fitted from the frequencies that name none
+/// (with_started_modes).
 std::vector<Mode> identify_modes(const FrfDataset& set, const IdentifyOptions& options = {});
 
 /// Fits at most one mode from each of these frequencies, without a search.

@@ -53,17 +53,17 @@ Eigen::MatrixXd covariance_of(const std::vector<FittedMode>& modes) {
   return covariance;
 }
 
-// Removes the truncation from the FRFs `few`, and fits `found` to them. Each pass reduces the error by the factor of
-// the remaining truncation.
-void complete(CompletedDecays& completed, const Eigen::MatrixXd& components, FrfDataset& few,
+// Adds the missing decays to all FRFs, recomputes their principal components `principal`, and fits `found` to these.
+// Each pass multiplies the error by the remaining truncation.
+void complete(CompletedDecays& completed, const Eigen::MatrixXd& components, FrfDataset& principal,
               std::vector<FittedMode>& found) {
-  double truncation = max_remaining_amplitude(few, found);
+  double truncation = max_remaining_amplitude(principal, found);
   while (truncation > kMinTruncation) {
     const std::vector<Pole> poles = poles_of(found);
     completed.add_missing_decays(poles, residues_at(completed.set(), poles));
-    few = principal_frfs(completed.set(), components);
-    found = fit_sequentially(few, {.start = poles});
-    truncation *= max_remaining_amplitude(few, found);
+    principal = principal_frfs(completed.set(), components);
+    found = fit_sequentially(principal, {.start = poles});
+    truncation *= max_remaining_amplitude(principal, found);
   }
 }
 
@@ -149,23 +149,23 @@ std::optional<std::vector<Mode>> identify_multi_output(const FrfDataset& set, co
   // The model of an exponential window needs the pulses, which principal-component FRFs do not have.
   if (set.window_decay_per_s() != 0) return std::nullopt;
   const Eigen::MatrixXd components = principal_components(set, kMaxPrincipalFrfs);
-  FrfDataset few = principal_frfs(set, components);
+  FrfDataset principal = principal_frfs(set, components);
   CompletedDecays completed(set);
   std::vector<FittedMode> found;
   // The strong modes first: their truncation would look like additional modes.
   const SequentialFitOptions thorough = sequential_fit_options(options.effort);
   for (const SequentialFitOptions& pass : {SequentialFitOptions{.max_rounds = 0}, thorough}) {
     const std::size_t before = found.size();
-    found = fit_sequentially(few, pass);
+    found = fit_sequentially(principal, pass);
     if (found.empty() || max_remaining_amplitude(set, found) > kMaxRemainingAmplitude) return std::nullopt;
     if (found.size() != before && CompletedDecays::truncation_is_known(set))
-      complete(completed, components, few, found);
+      complete(completed, components, principal, found);
   }
   const std::vector<Pole> poles = poles_of(found);
   bool scatters = false;  // any_pair_is_scatter seldom holds, so the refinement runs beside it
   parallel_for_cost(2, kMinFlops, [&](std::size_t task) {
     if (task == 0) scatters = any_pair_is_scatter(completed.set(), poles);
-    if (task == 1 && options.effort == Effort::best) refine_jointly(few, found);
+    if (task == 1 && options.effort == Effort::best) refine_jointly(principal, found);
   });
   if (scatters) return std::nullopt;
   const JointFit fit = fit_residues(completed.set(), poles_of(found), covariance_of(found));

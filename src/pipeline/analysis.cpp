@@ -18,7 +18,8 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kToneReach = 2;  // times the length of the transforms; later, the phase of hum may have wandered
-constexpr double kMaxUsedPart = 0.97;  // of the samples, where the transforms leave some out; fast lengths use 0.99
+// Of the samples: transforms of a smaller part are reported as cut. Fast lengths alone use 0.99 or more.
+constexpr double kMaxUsedPart = 0.97;
 
 }  // namespace
 

@@ -111,8 +111,8 @@ class SignalReader {
   const ImpactTestOptions& options_;
 };
 
-// The evidence of 1/f noise in the signals of each deflection; empty for a hit before which the structure moves: it
-// tells nothing of the noise.
+// The evidence of 1/f noise in the signals of each deflection. Empty if the structure moved before the hit: the samples
+// before it then do not show the noise alone.
 std::vector<std::vector<double>> flicker_evidence_of(const SignalReader& reader,
                                                      const metrics::DeflectionOptions& options, std::size_t threads) {
   std::vector<std::vector<double>> evidence(reader.size());

@@ -130,35 +130,36 @@ std::optional<MacMatrix> mac_matrix_of(const Comparison& c) {
   return any ? std::optional(std::move(out)) : std::nullopt;
 }
 
-LineChart chart_of(const std::vector<Comparison>& comparisons) {
-  const Comparison& first = comparisons.front();
-  LineChart chart;
-  if (!first.deflections.empty()) {
-    // One scale for all: places in a document may have a position, or a point, or both.
-    const auto all_have = [&](auto member) {
-      return std::all_of(first.deflections.begin(), first.deflections.end(),
-                         [&](const metrics::DeflectionPair& pair) { return (pair.*member).has_value(); });
-    };
-    const bool positions = all_have(&metrics::DeflectionPair::position_m);
-    const bool points = all_have(&metrics::DeflectionPair::point);
-    chart = {.title = "Largest deflection",
-             .x = {.label = positions ? "position, m"
-                            : points  ? "point"
-                                      : "place in the table"},
-             .y = {.label = "largest deflection, mm"}};
-    ChartCurve a{.name = first.a.name, .marks = true}, b{.name = first.b.name, .marks = true};
-    for (const metrics::DeflectionPair& pair : first.deflections) {
-      const double place = positions ? *pair.position_m : points ? *pair.point : 1 + static_cast<double>(a.x.size());
-      for (ChartCurve* curve : {&a, &b}) curve->x.push_back(place);
-      a.y.push_back(1000 * pair.a_m);
-      b.y.push_back(1000 * pair.b_m);
-    }
-    chart.curves = {a, b};
-    return chart;
+LineChart compared_deflections_chart(const Comparison& c) {
+  // One scale for all: places in a document may have a position, or a point, or both.
+  const auto all_have = [&](auto member) {
+    return std::all_of(c.deflections.begin(), c.deflections.end(),
+                       [&](const metrics::DeflectionPair& pair) { return (pair.*member).has_value(); });
+  };
+  const bool positions = all_have(&metrics::DeflectionPair::position_m);
+  const bool points = all_have(&metrics::DeflectionPair::point);
+  LineChart chart{.title = "Largest deflection",
+                  .x = {.label = positions ? "position, m"
+                                 : points  ? "point"
+                                           : "place in the table"},
+                  .y = {.label = "largest deflection, mm"},
+                  .curves = {}};
+  ChartCurve a{.name = c.a.name, .marks = true}, b{.name = c.b.name, .marks = true};
+  for (const metrics::DeflectionPair& pair : c.deflections) {
+    const double place = positions ? *pair.position_m : points ? *pair.point : 1 + static_cast<double>(a.x.size());
+    for (ChartCurve* curve : {&a, &b}) curve->x.push_back(place);
+    a.y.push_back(1000 * pair.a_m);
+    b.y.push_back(1000 * pair.b_m);
   }
-  chart = {.title = "Frequencies against " + first.a.name,
-           .x = {.label = "frequency, Hz"},
-           .y = {.label = "difference, % (band: ± 1 σ)"}};
+  chart.curves = {a, b};
+  return chart;
+}
+
+LineChart compared_frequencies_chart(const std::vector<Comparison>& comparisons) {
+  LineChart chart{.title = "Frequencies against " + comparisons.front().a.name,
+                  .x = {.label = "frequency, Hz"},
+                  .y = {.label = "difference, % (band: ± 1 σ)"},
+                  .curves = {}};
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (const Comparison& c : comparisons) {
     ChartCurve curve{.name = c.b.name, .marks = true};
@@ -181,6 +182,11 @@ LineChart chart_of(const std::vector<Comparison>& comparisons) {
   const double margin = kMargin * (highest - lowest);
   if (highest > lowest) chart.y.range = {lowest - margin, highest + margin};
   return chart;
+}
+
+LineChart chart_of(const std::vector<Comparison>& comparisons) {
+  const Comparison& first = comparisons.front();
+  return first.deflections.empty() ? compared_frequencies_chart(comparisons) : compared_deflections_chart(first);
 }
 
 }  // namespace

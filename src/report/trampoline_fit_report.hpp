@@ -7,7 +7,8 @@
 
 namespace percuss::report {
 
-/// The model's CCOR over the speeds around the measured ones, and its range over the pairs of the fit's contour.
+/// The model's CCOR over the speeds around the measured ones, and its range over the exponent pairs on the contour of
+/// the fit.
 struct CcorCurve {
   std::vector<double> speed_mps, cor, low, high;
 };

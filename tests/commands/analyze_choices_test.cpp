@@ -221,10 +221,10 @@ TEST_F(AnalyzeChoices, SeparatesFilesOfDifferentStructures) {
   }
   const std::string out = run_percuss(words).out;
   EXPECT_THAT(out, AllOf(HasSubstr("test 0"), HasSubstr("test 2"), HasSubstr("different structures")));
-  words.insert(words.end(), {"--files", "hits"});
-  EXPECT_THAT(run_percuss(words).out, HasSubstr("The modes belong to a mixture; analyse each file"));
-  words.insert(words.end() - 2, {"-o", folder_->file("mixed.html")});
-  words.resize(words.size() - 2);
+  std::vector<std::string> joined = words;
+  joined.insert(joined.end(), {"--files", "hits"});
+  EXPECT_THAT(run_percuss(joined).out, HasSubstr("The modes belong to a mixture; analyse each file"));
+  words.insert(words.end(), {"-o", folder_->file("mixed.html")});
   EXPECT_THAT(run_percuss(words).err,
               AllOf(HasSubstr("measured different structures or points"), HasSubstr("--files")));
 }

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "pipeline/impacts.hpp"
 #include "support/changed_record.hpp"
 #include "support/force_row.hpp"
+#include "support/magnitude.hpp"
 #include "support/messages.hpp"
 #include "support/modal_frfs.hpp"
 #include "support/record_samples.hpp"
@@ -58,8 +58,7 @@ acquire::Record record_with_a_clipped_blow(double limit_mps2) {
 
 // The first motion, during the pulse, is 40 times larger than the ringing after it.
 double largest_of_the_second_blow() {
-  const std::vector<double> x = test::accel_mps2(record_with_a_clipped_blow(1e9), 0, 1);
-  return std::abs(*std::max_element(x.begin(), x.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  return test::largest_magnitude(test::accel_mps2(record_with_a_clipped_blow(1e9), 0, 1));
 }
 
 std::vector<std::size_t> deflected_hits(const ImpactTest& test) {

@@ -5,14 +5,14 @@
 namespace percuss::test {
 namespace {
 
-identify::FrfDataset lines_of_channels(std::size_t channels) { return empty_set(4096, 8192, 200, 450, channels); }
+identify::FrfDataset channels_without_modes(std::size_t channels) { return empty_set(4096, 8192, 200, 450, channels); }
 
 }  // namespace
 
 SingleHits::SingleHits(std::size_t points, std::size_t hits_per_point, double noise,
                        const std::function<void(identify::FrfDataset& one, std::size_t point, std::size_t hit)>& add)
-    : set(lines_of_channels(points)) {
-  const identify::FrfDataset single = lines_of_channels(1);
+    : set(channels_without_modes(points)) {
+  const identify::FrfDataset single = channels_without_modes(1);
   set.points.assign(points, single.points.front());
   frfs.set = {.lines = set.lines, .usable_bandwidth_Hz = set.usable_bandwidth_Hz};
   for (std::size_t p = 0; p < points; ++p) {

@@ -24,7 +24,8 @@ std::string refusal(const std::string& text) {
   return test::input_error_of([&] { parse_synth_spec(text, "spec.json"); });
 }
 
-std::string rejection_of(const std::string& rest) { return refusal(kStart + ", " + rest + "}"); }
+// As refusal(), of a spec with these further keys.
+std::string refusal_with(const std::string& keys) { return refusal(kStart + ", " + keys + "}"); }
 
 TEST(SynthSpec, ReadsEveryKey) {
   const SynthSpec spec = parse_synth_spec(synth_example(), "example");
@@ -40,11 +41,11 @@ TEST(SynthSpec, ReadsEveryKey) {
 }
 
 TEST(SynthSpec, NamesAnUnknownKey) {
-  EXPECT_THAT(rejection_of(R"("modes": [], "sampels": 3)"),
+  EXPECT_THAT(refusal_with(R"("modes": [], "sampels": 3)"),
               AllOf(HasSubstr("unknown key"), HasSubstr("sampels"), HasSubstr("spec.json")));
-  EXPECT_THAT(rejection_of(R"("modes": [{"frequency_hz": 10, "damping_ratio": 0.1, "zeta": 1}])"),
+  EXPECT_THAT(refusal_with(R"("modes": [{"frequency_hz": 10, "damping_ratio": 0.1, "zeta": 1}])"),
               HasSubstr("modes[0].zeta"));
-  EXPECT_THAT(rejection_of(R"("modes": [], "faults": [{"hit": 0, "kind": "missing", "ratio": 1}])"),
+  EXPECT_THAT(refusal_with(R"("modes": [], "faults": [{"hit": 0, "kind": "missing", "ratio": 1}])"),
               HasSubstr("faults[0].ratio"));
 }
 
@@ -53,22 +54,22 @@ TEST(SynthSpec, RefusesImpossibleValues) {
   EXPECT_THAT(refusal(R"({"fs_hz": 1000, "samples": 1e12, "modes": []})"), HasSubstr("samples"));
   EXPECT_THAT(refusal(R"({"fs_hz": 1000, "samples": -1, "modes": []})"), HasSubstr("samples"));
   EXPECT_THAT(refusal(R"({"fs_hz": 1000, "duration_s": 1e300, "modes": []})"), HasSubstr("duration_s"));
-  EXPECT_THAT(rejection_of(R"("modes": [{"frequency_hz": 10, "damping_ratio": 0.1, "order": 1000001}])"),
+  EXPECT_THAT(refusal_with(R"("modes": [{"frequency_hz": 10, "damping_ratio": 0.1, "order": 1000001}])"),
               AllOf(HasSubstr("1000001 is out of range"), HasSubstr("give at most 1000000")));
   EXPECT_THAT(refusal(R"({"fs_hz": 1e999, "samples": 1000, "modes": []})"), HasSubstr("too large"));
   EXPECT_THAT(refusal(R"({"fs_hz": 1000, "samples": 1e6, "modes": [], "hits": 10000})"), HasSubstr("would hold"));
-  EXPECT_THAT(rejection_of(R"("modes": [], "hits": 18446744073709551615)"), HasSubstr("hits"));
-  EXPECT_THAT(rejection_of(R"("modes": [{"frequency_hz": 10, "damping_ratio": 1.5}])"),
+  EXPECT_THAT(refusal_with(R"("modes": [], "hits": 18446744073709551615)"), HasSubstr("hits"));
+  EXPECT_THAT(refusal_with(R"("modes": [{"frequency_hz": 10, "damping_ratio": 1.5}])"),
               HasSubstr("modes[0].damping_ratio"));
-  EXPECT_THAT(rejection_of(R"("modes": [{"frequency_hz": 1e9, "damping_ratio": 0.01}])"),
+  EXPECT_THAT(refusal_with(R"("modes": [{"frequency_hz": 1e9, "damping_ratio": 0.01}])"),
               HasSubstr("modes[0].frequency_hz"));
-  EXPECT_THAT(rejection_of(R"("modes": [], "pulse": {"width_s": 1e9})"), HasSubstr("pulse.width_s"));
-  EXPECT_THAT(rejection_of(R"("modes": [], "impact": [])"), HasSubstr("impact"));
-  EXPECT_THAT(rejection_of(R"("modes": [], "sensors": [{"sign": 0.5}])"), HasSubstr("sensors[0].sign"));
-  EXPECT_THAT(rejection_of(R"("modes": [], "faults": [{"hit": 5, "kind": "missing"}])"), HasSubstr("faults[0].hit"));
-  EXPECT_THAT(rejection_of(R"("modes": [], "layout": "spiral")"),
+  EXPECT_THAT(refusal_with(R"("modes": [], "pulse": {"width_s": 1e9})"), HasSubstr("pulse.width_s"));
+  EXPECT_THAT(refusal_with(R"("modes": [], "impact": [])"), HasSubstr("impact"));
+  EXPECT_THAT(refusal_with(R"("modes": [], "sensors": [{"sign": 0.5}])"), HasSubstr("sensors[0].sign"));
+  EXPECT_THAT(refusal_with(R"("modes": [], "faults": [{"hit": 5, "kind": "missing"}])"), HasSubstr("faults[0].hit"));
+  EXPECT_THAT(refusal_with(R"("modes": [], "layout": "spiral")"),
               AllOf(HasSubstr("layout"), HasSubstr("rows, continuous")));
-  EXPECT_THAT(rejection_of(R"("modes": [], "hit_times_s": [0.1])"), HasSubstr("hit_times_s"));
+  EXPECT_THAT(refusal_with(R"("modes": [], "hit_times_s": [0.1])"), HasSubstr("hit_times_s"));
 }
 
 TEST(SynthSpec, RefusesOtherDocuments) {
@@ -79,7 +80,7 @@ TEST(SynthSpec, RefusesOtherDocuments) {
   EXPECT_THAT(refusal(std::string(5 << 20, ' ')), HasSubstr("4 MiB"));
   EXPECT_THAT(refusal(R"({"fs_hz": 1, "fs_hz": 2})"), HasSubstr("given twice"));
   EXPECT_THAT(refusal(R"({"schema": "percuss/analysis/1"})"), HasSubstr("schema"));
-  EXPECT_THAT(rejection_of(R"("modes": 3)"), HasSubstr("modes"));
+  EXPECT_THAT(refusal_with(R"("modes": 3)"), HasSubstr("modes"));
   EXPECT_THAT(refusal("{}"), HasSubstr("fs_hz"));
 }
 

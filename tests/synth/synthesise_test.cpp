@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/math/statistics.hpp"
 #include "support/record_samples.hpp"
 #include "synth/pulse.hpp"
 
@@ -32,10 +33,6 @@ SynthSpec bat() {
   spec.points = {{.angle_rad = 0.35}};
   spec.hits = 2;
   return spec;
-}
-
-double rms(const std::vector<double>& x) {
-  return std::sqrt(std::inner_product(x.begin(), x.end(), x.begin(), 0.0) / static_cast<double>(x.size()));
 }
 
 TEST(Synthesise, HasTheExactAcceleranceAsItsRatioOfSpectra) {

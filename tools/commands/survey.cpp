@@ -94,7 +94,7 @@ void write_outputs(const SurveyFlags& flags, const pipeline::Survey& survey, con
       write_file(path, document, flags.output.force);
     } else if (is_page(path)) {
       write_page(path, report::survey_page(survey, provenance_now(flags.output, flags.read.setup_path)), flags.output);
-    } else if (extension_of(path) == ".svg") {
+    } else if (kind == ".svg") {
       write_file(path, report::svg_document(report::survey_charts(survey, flags.pictures)), flags.output.force);
     } else if (!survey.analysis().possible()) {
       print_note(
@@ -178,9 +178,8 @@ void add_survey(CommandLine& line) {
                                  [flags] { return run_survey(*flags); });
   command.about(
       "Analyses a test of many points: mode shapes, their MAC, modal masses if a driving point is known, and bending "
-      "or hoop with the circumferential order from the shapes. A file holds all points, one of them (P1, P2, ...) or "
-      "hits "
-      "of one (P1_1, P1_2, ...). A geometry file gives their coordinates; --example prints one.");
+      "or hoop with the circumferential order from the shapes. A file holds all points, one point (P1, P2, ...) or "
+      "hits of one point (P1_1, P1_2, ...). A geometry file gives their coordinates; --example prints one.");
   command.example("percuss survey barrel.h5 --band 60:3200",
                   "Identify the shapes of a barrel whose record holds the geometry");
   command.example(

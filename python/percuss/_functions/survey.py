@@ -67,8 +67,8 @@ def survey(
 
     Analyses a test of many points: mode shapes, their MAC, modal masses if a driving point is
     known, and bending or hoop with the circumferential order from the shapes. A file holds all
-    points, one of them (P1, P2, ...) or hits of one (P1_1, P1_2, ...). A geometry file gives their
-    coordinates; `percuss.example("survey")` prints one.
+    points, one point (P1, P2, ...) or hits of one point (P1_1, P1_2, ...). A geometry file gives
+    their coordinates; `percuss.example("survey")` prints one.
 
     Parameters
     ----------

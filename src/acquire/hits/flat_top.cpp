@@ -24,11 +24,11 @@ constexpr double kMaxFlatness = 0.54;
 // 0.554. Such a pulse is clipped if it exceeds kMaxShortFlatness, or the median of the pulses of about its length by
 // kFlatterThanOthers: due to the filter, a change of the length by a tenth changes the flatness by 0.04.
 constexpr double kShortPulse = 8;  // samples above 30 % of the peak
-constexpr double kMaxShortFlatness = 0.58, kFlatterThanOthers = 0.07, kAlikeLength = 0.15;
+constexpr double kMaxShortFlatness = 0.58, kFlatterThanOthers = 0.07, kSimilarLength = 0.15;
 constexpr std::size_t kMinOthers = 2;
 constexpr double kHigh = 0.8, kLow = 0.3;  // of the peak
-// Of the peak. A flank is cut off where one of two neighbouring samples exceeds kFlank and the other is below kNothing.
-constexpr double kFlank = 0.2, kNothing = 0.01;
+// Of the peak. A flank is cut off where one of two neighbouring samples exceeds kFlank and the other is below kZero.
+constexpr double kFlank = 0.2, kZero = 0.01;
 constexpr double kMinSignal = 30;  // peak over noise: the noise changes the flatness by a few hundredths
 constexpr std::size_t kOversampling = 16, kKernel = 16;
 constexpr std::size_t kFlopsPerTop = 50'000;  // of the measurement of one pulse
@@ -84,6 +84,7 @@ std::vector<double> interpolated(const std::vector<double>& x) {
   return out;
 }
 
+// The length of the top around `peak` that is above `level`, in samples; interpolated linearly at both ends.
 double length_above(const std::vector<double>& x, std::size_t peak, double level) {
   std::size_t first = peak, last = peak;
   while (first > 0 && x[first] >= level) --first;
@@ -116,7 +117,7 @@ bool has_cut_flank(const Hit& hit) {
   const auto& x = hit.gated_N;
   for (std::size_t n = 0; n <= x.size(); ++n) {
     const double before = n > 0 ? std::abs(x[n - 1]) : 0, after = n < x.size() ? std::abs(x[n]) : 0;
-    if (std::max(before, after) > kFlank * peak && std::min(before, after) < kNothing * peak) return true;
+    if (std::max(before, after) > kFlank * peak && std::min(before, after) < kZero * peak) return true;
   }
   return false;
 }
@@ -169,7 +170,7 @@ std::optional<PulseTop> top_of(const Hit& hit) {
 bool is_flatter_than_others(const PulseTop& top, const std::vector<std::optional<PulseTop>>& tops) {
   std::vector<double> others;
   for (const std::optional<PulseTop>& other : tops) {
-    if (other && other->flatness <= kMaxFlatness && std::abs(other->length - top.length) < kAlikeLength * top.length)
+    if (other && other->flatness <= kMaxFlatness && std::abs(other->length - top.length) < kSimilarLength * top.length)
       others.push_back(other->flatness);
   }
   if (others.size() < kMinOthers) return false;

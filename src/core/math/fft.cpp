@@ -109,7 +109,7 @@ fftw_plan inverse_plan(std::size_t n) {
   return plans.get(n);
 }
 
-bool fast_length(std::size_t length) {
+bool is_fast_length(std::size_t length) {
   for (const std::size_t prime : {2U, 3U, 5U, 7U}) {
     while (length % prime == 0 && length > 0) length /= prime;
   }
@@ -173,12 +173,12 @@ std::vector<double> inverse_real_dft(std::span<const Complex> lines, std::size_t
 }
 
 std::size_t fast_length_at_most(std::size_t n) {
-  while (n > 1 && !fast_length(n)) --n;
+  while (n > 1 && !is_fast_length(n)) --n;
   return n;
 }
 
 std::size_t fast_length_at_least(std::size_t n) {
-  while (!fast_length(n)) ++n;
+  while (!is_fast_length(n)) ++n;
   return n;
 }
 

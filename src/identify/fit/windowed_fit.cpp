@@ -18,10 +18,10 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 constexpr double kMinWindowLines = 8;  // lines on either side of a pole
-constexpr double kMaxWindowLines =
-    400;  // lines on either side: the polynomial follows other modes' tails only over a short window
-constexpr double kMinForcePower =
-    1e-6;  // of the strongest line's power: FRFs are meaningless at the zeros of a pulse's spectrum
+// Lines on either side of a pole: the polynomial follows other modes' tails only over a short window.
+constexpr double kMaxWindowLines = 400;
+// Of the strongest line's power: FRFs are meaningless at the zeros of a pulse's spectrum.
+constexpr double kMinForcePower = 1e-6;
 constexpr double kMinWindowNoise = 1e-3;        // of the noise elsewhere: an FRF without residual keeps a finite weight
 constexpr std::size_t kFlopsPerPowerLine = 10;  // of |H|² and its comparison
 constexpr std::size_t kOutgrown = 2;  // a window is replaced if the new one has more than this many times its lines
@@ -39,13 +39,13 @@ void carry_over(const std::vector<FitGroup>& before, FitGroup& group, std::size_
   }
 }
 
-// Of the lines at which the hammer has power.
+// The largest |H| of a channel over the lines at which the hammer has power.
 double largest_driven_magnitude(const FrfDataset& set, const FrfChannel& channel) {
   const std::vector<double>& ff = set.points[channel.point].ff;
-  const double least = ff.empty() ? 0 : kMinForcePower * *std::max_element(ff.begin(), ff.end());
+  const double min_power = ff.empty() ? 0 : kMinForcePower * *std::max_element(ff.begin(), ff.end());
   double largest = 0;
   for (std::size_t k = 0; k < channel.frf.size(); ++k) {
-    if (ff.empty() || ff[k] > least) largest = std::max(largest, std::norm(channel.frf[k]));
+    if (ff.empty() || ff[k] > min_power) largest = std::max(largest, std::norm(channel.frf[k]));
   }
   return std::sqrt(largest);
 }
@@ -76,10 +76,10 @@ void WindowedFit::place_window(FitGroup& group) const {
   }
   // At least two lines more than twice the complex residues and polynomial coefficients of one FRF, also at the band's
   // edge.
-  const auto least = 2 * (group.fit.poles.size() + LocalFitOptions{}.residual_terms) + 2;
+  const auto min_count = 2 * (group.fit.poles.size() + LocalFitOptions{}.residual_terms) + 2;
   group.first = set_.lines.nearest(low);
   std::size_t last = set_.lines.nearest(high);
-  while (last - group.first + 1 < least && last - group.first + 1 < set_.lines.count) {
+  while (last - group.first + 1 < min_count && last - group.first + 1 < set_.lines.count) {
     if (group.first > 0) --group.first;
     if (last + 1 < set_.lines.count) ++last;
   }
@@ -89,9 +89,9 @@ void WindowedFit::place_window(FitGroup& group) const {
 // The same poles, and a window that moved by at most a tenth of its width.
 bool WindowedFit::same_window(const FitGroup& before, const FitGroup& group) const {
   const auto apart = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
-  const std::size_t most = before.count / 10;
-  return before.fit.poles == group.fit.poles && apart(before.first, group.first) <= most &&
-         apart(before.first + before.count, group.first + group.count) <= most;
+  const std::size_t max_shift = before.count / 10;
+  return before.fit.poles == group.fit.poles && apart(before.first, group.first) <= max_shift &&
+         apart(before.first + before.count, group.first + group.count) <= max_shift;
 }
 
 bool WindowedFit::unchanged(std::size_t group, const std::vector<VectorXcd>& data) const {

@@ -9,7 +9,8 @@
 namespace percuss::identify {
 namespace {
 
-// The truncation of a mode at the lines from `first` on, but for the force: the factors of its two conjugate poles.
+// The factors of a truncated decay that do not depend on the force, for a pole and its conjugate, at the lines from
+// `first` on.
 struct DecayColumn {
   std::size_t first;
   const Complex *kernel, *mirror;
@@ -18,7 +19,7 @@ struct DecayColumn {
 // q: [hits] the state of the mode at the end of the record.
 PERCUSS_WIDE_LOOPS void fill_decay(std::span<Complex> decay, const PointForce& force, const std::vector<Complex>& q,
                                    const DecayColumn& column) {
-  // Hits outside, lines inside: the compiler then takes several lines at a time.
+  // The inner loops run over lines, so that the compiler vectorises them.
   constexpr std::size_t kBlock = 128;
   std::array<double, kBlock> rr{}, ii{}, ri{}, ir{};
   for (std::size_t begin = 0; begin < decay.size(); begin += kBlock) {

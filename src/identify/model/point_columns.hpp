@@ -10,10 +10,10 @@
 
 namespace percuss::identify {
 
-// The columns of one mode at the points of a test, (1) in mode_column(), at lines first … first + count − 1. The terms
-// common to all points are computed once.
+// The columns φ of one mode at the points of a test, (1) in mode_column(), at lines first … first + count − 1. The
+// terms common to all points are computed once.
 
-/// H − φ: the part of a mode's decay after the records' end.
+/// H − φ: the part of a mode's decay after the records' end. H is the column of the whole decay.
 class TruncatedDecay {
  public:
   TruncatedDecay(const Pole& pole, double window_decay_per_s, const acquire::LineRange& lines, std::size_t first,

@@ -59,7 +59,23 @@ std::optional<CurvesOfDegree> curves_of_degree(const VectorXd& u, const MatrixXd
                                        static_cast<double>(u.size())};
 }
 
-// The degrees of all modes, and what they say of the point.
+struct ChosenDegree {
+  std::size_t index = 0;  // of the fit
+  double cost = std::numeric_limits<double>::infinity();
+};
+
+// The fit whose BIC per point is least for a mode.
+ChosenDegree degree_by_bic(const std::vector<CurvesOfDegree>& fits, Index mode, double points) {
+  ChosenDegree best;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const double mean2 = std::max(fits[i].squares(mode) / points, kMinCurveStd * kMinCurveStd);
+    const double cost = std::log(mean2) + static_cast<double>(fits[i].degree + 1) * std::log(points) / points;
+    if (cost < best.cost) best = {.index = i, .cost = cost};
+  }
+  return best;
+}
+
+// Predicts the amplitudes at the point from a curve for each mode.
 PredictedPoint predicted_by(const std::vector<CurvesOfDegree>& fits, Index points, Index modes) {
   const auto n = static_cast<double>(points);
   const VectorXd none = VectorXd::Zero(modes);
@@ -67,18 +83,10 @@ PredictedPoint predicted_by(const std::vector<CurvesOfDegree>& fits, Index point
   VectorXd variance(modes), slope2(modes), value2(modes), here_slope2(modes), leverage(modes), model(modes);
   std::vector<double> placement2;
   for (Index m = 0; m < modes; ++m) {
-    double least = std::numeric_limits<double>::infinity();
-    std::size_t best = 0;
-    for (std::size_t i = 0; i < fits.size(); ++i) {
-      const double mean2 = std::max(fits[i].squares(m) / n, kMinCurveStd * kMinCurveStd);
-      const double score = std::log(mean2) + static_cast<double>(fits[i].degree + 1) * std::log(n) / n;
-      if (score < least) {
-        least = score;
-        best = i;
-      }
-    }
-    out.cost += least;
+    const auto [best, cost] = degree_by_bic(fits, m, n);
+    out.cost += cost;
     const CurvesOfDegree& fit = fits[best];
+    // The neighbouring degree shows how far the prediction depends on the choice.
     const CurvesOfDegree& other = fits[best + 1 < fits.size() ? best + 1 : best > 0 ? best - 1 : best];
     out.value(m) = fit.value(m);
     variance(m) = fit.squares(m) / static_cast<double>(points - fit.degree - 1);
@@ -89,8 +97,8 @@ PredictedPoint predicted_by(const std::vector<CurvesOfDegree>& fits, Index point
     model(m) = other.value(m) - fit.value(m);
     if (slope2(m) > 0) placement2.push_back(variance(m) / slope2(m));
   }
-  // Errors of the places are common to all modes. They are larger where the shape is steep, and those of the direction
-  // where it is high.
+  // Errors of the places are common to all modes. They matter more where the shape is steep; errors of the direction,
+  // where the amplitude is large.
   const double common2 = placement2.empty() ? 0 : median(placement2);
   for (Index m = 0; m < modes; ++m) {
     const double typical = std::max(variance(m), common2 * slope2(m));

@@ -8,7 +8,7 @@ namespace percuss::identify {
 /// Fewer points do not determine a curve.
 inline constexpr std::size_t kMinCurvePoints = 7;
 
-/// What the other points say of the amplitudes at a point, [modes].
+/// The amplitudes at a point as predicted from the other points, [modes].
 struct PredictedPoint {
   Eigen::VectorXd value;
   Eigen::VectorXd one_variance;    // of the mean of one point about its curve

@@ -18,13 +18,14 @@ constexpr std::size_t kMinRest = 8;  // samples needed for a straight line and i
 // The standard deviation of an unknown bias, over the signal's RMS. A larger bias means a broken sensor.
 constexpr double kUnknownBias = 0.1;
 constexpr std::size_t kMinMeans = 8;
-constexpr double kSteepest = 2;        // growth per octave, of noise whose power falls with the frequency
+constexpr double kSteepest = 2;        // growth of the variance per octave, for noise of a power spectrum 1/f
 constexpr double kColoured = 3;        // normal deviate from which noise is not white
 constexpr double kMinCycles = 3;       // of the oscillation within a window, for a mean near zero
 constexpr double kContradiction = 30;  // χ² of two means, exceeded by chance once in three million
 
 // The standard deviation of white noise whose means over many samples scatter as those of `residual`, from which a
-// straight line was subtracted. The means of coloured noise scatter more than its samples let expect.
+// straight line was subtracted. The means of coloured noise scatter more than those of white noise with the same
+// standard deviation of a sample.
 double low_frequency_std(std::span<const double> residual) {
   double largest = 0, growth = 1;  // of the variance, from the means half as long
   for (std::size_t length = 1; length == 1 || residual.size() / length >= kMinMeans; length *= 2) {
@@ -46,7 +47,7 @@ double low_frequency_std(std::span<const double> residual) {
     }
     if (!(largest > 0)) return 0;
   }
-  // The longest means cover an eighth of the samples at rest; the bias is a mean over all of them.
+  // The longest means cover an eighth of the samples at rest. The bias is a mean over all of them, three octaves more.
   return std::sqrt(largest * std::pow(growth, 3));
 }
 

@@ -22,7 +22,7 @@ struct BaselineEstimate {
 BaselineEstimate baseline_estimate(std::span<const double> before_mps2, double fs_Hz, double rms_mps2);
 
 /// The remaining bias of a held structure, which oscillates about its position of rest. Two means of the deflection are
-/// taken, with Hann windows over the second and the last third. Without bias, only window leakage of the oscillation
+/// taken, with Hann windows over the middle and the last third. Without bias, only window leakage of the oscillation
 /// and noise of the double integral keep them from zero.
 struct ZeroMeanCorrection {
   Eigen::Vector2d bias;        // to subtract in addition

@@ -13,11 +13,11 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kBeyond = 0.10;         // of the band's width: further away, the residual terms follow the flank
-constexpr double kMaxBeyond = 0.20;      // likewise, of the lines that are added
+constexpr double kMaxBeyond = 0.20;      // of the band's width: limit of all added lines
 constexpr double kMinAmplitude = 0.2;    // of the largest one in the band
 constexpr double kMinPowerRatio = 20;    // of a peak to the median of the lines
 constexpr double kBandwidthsBeyond = 5;  // half-power bandwidths from the peak to the new end
-constexpr std::size_t kMaxHits = 8, kMaxChannels = 4;  // that a spectrum is computed of
+constexpr std::size_t kMaxHits = 8, kMaxChannels = 4;  // whose power spectra are summed
 
 struct Peak {
   double freq_Hz = 0;
@@ -49,7 +49,7 @@ std::optional<Peak> strong_peak(double end_Hz, double to_Hz, double least_power,
 }
 
 // Up to `most` of the indices 0 … count − 1, evenly spread.
-std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
+std::vector<std::size_t> evenly_spaced(std::size_t count, std::size_t most) {
   std::vector<std::size_t> out;
   const std::size_t used = std::min(count, most);
   for (std::size_t i = 0; i < used; ++i) out.push_back(i * count / used);
@@ -95,22 +95,22 @@ double end_past_modes(double end_Hz, std::pair<double, double> band_Hz, const ac
 
 std::vector<double> response_power(const std::vector<AnalysedHit>& hits, const HitResponses& responses,
                                    const TransformOptions& options) {
-  constexpr double kWeakest = 0.01;  // of the force's largest power
+  constexpr double kMinForcePower = 0.01;  // of the largest: keeps lines without force from dominating
   const acquire::LineRange& lines = options.lines;
   std::vector<double> power(lines.count);
   if (power.empty()) return power;
   const std::vector<std::size_t> of_points = hits_of_points(hits);
-  for (const std::size_t i : spread(of_points.size(), kMaxHits)) {
+  for (const std::size_t i : evenly_spaced(of_points.size(), kMaxHits)) {
     const std::size_t h = of_points[i];
     const auto force =
         frf::force_spectrum(frf::force_block(hits[h].hit, lines.fs_Hz, options.window_decay_per_s), lines);
     double largest = 0;
     for (const Complex f : force) largest = std::max(largest, std::norm(f));
     if (!(largest > 0)) continue;
-    for (const std::size_t channel : spread(responses.of[h].size(), kMaxChannels)) {
+    for (const std::size_t channel : evenly_spaced(responses.of[h].size(), kMaxChannels)) {
       const std::span<const Complex> response = responses.of[h][channel].spectrum;
       for (std::size_t k = 0; k < power.size(); ++k)
-        power[k] += std::norm(response[k]) / std::max(std::norm(force[k]), kWeakest * largest);
+        power[k] += std::norm(response[k]) / std::max(std::norm(force[k]), kMinForcePower * largest);
     }
   }
   return power;

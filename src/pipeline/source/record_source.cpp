@@ -17,7 +17,7 @@ constexpr double kAntiAlias = 0.44;  // of fs: above it a recorder's filter shap
 // Samples. In longer rows, and in those with several hits, the end of the decay is searched first; that costs less than
 // transforming everything.
 constexpr std::size_t kLongRow = std::size_t{1} << 17U;
-constexpr double kMinLowEnd = 1e-3;  // of the high end of the band: lower lines need long segments to see them decay
+constexpr double kMinLowEnd = 1e-3;  // of the high end of the band: decays at lower lines show only in long segments
 constexpr double kUsableBandwidthFactor = 1.2;  // of the −20 dB bandwidth: limit of the margin
 
 // Hits are ascending by row.

@@ -4,7 +4,7 @@
 
 namespace percuss::report {
 
-/// The largest picture, in bytes: it travels inside every page.
+/// The largest picture, in bytes: every page embeds it.
 inline constexpr std::size_t kMaxLogo_bytes = 200'000;
 
 /// A PNG, JPEG or SVG picture as a data URI for an <img> element, in which a browser runs no scripts and loads nothing.

@@ -14,7 +14,7 @@ constexpr double kFullTurn_rad = 360 * kDegree_rad;
 
 struct RingPoint {
   double angle_rad = 0;  // 0 … 2π
-  std::size_t at = 0;
+  std::size_t at = 0;    // index of the point in the mesh
 };
 using Ring = std::map<long, RingPoint>;  // by angle in 0.001°
 

@@ -10,13 +10,13 @@ const acquire::LineRange kLines{.fs_Hz = 8192, .samples = 8192, .first = 60, .co
 
 // The part of an undamped out-of-band mode's accelerance that the terms cannot follow.
 double missed(double freq_Hz) {
-  const Eigen::MatrixXd shapes = out_of_band_terms(kLines);
-  Eigen::VectorXd tail(shapes.rows());
+  const Eigen::MatrixXd terms = out_of_band_terms(kLines);
+  Eigen::VectorXd tail(terms.rows());
   for (Eigen::Index k = 0; k < tail.size(); ++k) {
     const double f = kLines.freq_Hz(static_cast<std::size_t>(k));
     tail(k) = f * f / (f * f - freq_Hz * freq_Hz);
   }
-  return (tail - shapes * least_squares(shapes, tail)).norm() / tail.norm();
+  return (tail - terms * least_squares(terms, tail)).norm() / tail.norm();
 }
 
 TEST(OutOfBandTerms, FollowTheTailsOfModesBeyondTheLines) {
@@ -26,9 +26,9 @@ TEST(OutOfBandTerms, FollowTheTailsOfModesBeyondTheLines) {
 }
 
 TEST(OutOfBandTerms, BeginWithTheMassLine) {
-  const Eigen::MatrixXd shapes = out_of_band_terms(kLines);
-  EXPECT_EQ(shapes.col(0).minCoeff(), 1);
-  EXPECT_EQ(shapes.col(0).maxCoeff(), 1);
+  const Eigen::MatrixXd terms = out_of_band_terms(kLines);
+  EXPECT_EQ(terms.col(0).minCoeff(), 1);
+  EXPECT_EQ(terms.col(0).maxCoeff(), 1);
 }
 
 TEST(OutOfBandTerms, AreFiniteFromZeroHertz) {

@@ -22,8 +22,8 @@ constexpr double kFs_Hz = 4096, kRest_s = 0.1;
 constexpr double kWhite_mps2 = 0.02;  // standard deviation of a sample
 constexpr double kStrength = 2e-5;    // (m/s²)²: as strong as the white noise at 102 Hz, ten times as strong at 10 Hz
 
-// Noise of the one-sided power spectral density K/f, from lines of random phase. Lines of a longer sequence hold what
-// is slower than the record.
+// Noise of the one-sided power spectral density K/f, from lines of random phase. It is a part of a longer sequence, so
+// that it contains frequencies below one period per record.
 std::vector<double> flicker_noise(double strength, std::size_t samples, std::mt19937& random) {
   std::normal_distribution<double> gauss;
   const std::size_t length = 8 * samples;
@@ -38,7 +38,7 @@ std::vector<double> flicker_noise(double strength, std::size_t samples, std::mt1
   return noise;
 }
 
-// The blow of a hammer on a structure with these modes (residue 1 or 2 kg⁻¹ …), behind an anti-alias filter.
+// The blow of a hammer on a structure with these modes, of residue 1.5 kg⁻¹ each, behind an anti-alias filter.
 struct Blow {
   std::vector<double> accel_mps2, deflection_m;
 };
@@ -118,9 +118,9 @@ TEST(FlickerStrength, IsZeroForWhiteNoise) {
     const double strength = flicker_strength(flicker_evidence(signal_of(accel)));
     found += strength > 0 ? 1 : 0;
     if (strength > 0) continue;
-    const Deflection alone = deflection_of(signal_of(accel)), told = deflection_of(signal_of(accel, 0.0));
-    EXPECT_EQ(alone.deflection_m, told.deflection_m);
-    EXPECT_EQ(alone.std_m, told.std_m);
+    const Deflection unknown = deflection_of(signal_of(accel)), zero = deflection_of(signal_of(accel, 0.0));
+    EXPECT_EQ(unknown.deflection_m, zero.deflection_m);
+    EXPECT_EQ(unknown.std_m, zero.std_m);
   }
   // A likelihood ratio of e³ is exceeded by chance in less than one of 100 records.
   EXPECT_LE(found, 2);
@@ -150,7 +150,7 @@ TEST(FlickerStrength, IsFoundFromSeveralRecords) {
 TEST(DeflectionInFlickerNoise, IsTheLargestOfTheMotionWithinItsStandardDeviation) {
   struct Case {
     double length_s, strength;
-    bool told;  // the strength is known from other records
+    bool known;  // the strength, from other records
   };
   for (const Case& of : {Case{1.1, kStrength, false}, Case{2.1, kStrength, false}, Case{2.1, kStrength / 10, true},
                          Case{2.1, 100 * kStrength, true}}) {
@@ -161,7 +161,7 @@ TEST(DeflectionInFlickerNoise, IsTheLargestOfTheMotionWithinItsStandardDeviation
     constexpr int kRecords = 40;
     for (int record = 0; record < kRecords; ++record) {
       const std::vector<double> accel = measured(blow, of.strength, random);
-      const Deflection found = deflection_of(signal_of(accel, of.told ? std::optional(of.strength) : std::nullopt));
+      const Deflection found = deflection_of(signal_of(accel, of.known ? std::optional(of.strength) : std::nullopt));
       ASSERT_TRUE(found.has_peak());
       EXPECT_TRUE(found.zero_mean_corrected);
       EXPECT_LT(std::abs(found.peak_m), 1.3 * true_m) << of.length_s << ", " << of.strength << ", " << record;

@@ -58,7 +58,8 @@ std::string argument_specs(const DeclaredCommand& command) {
   return out;
 }
 
-// A group passes the remaining words to the function of its command; after the word help, only if this is a group, too.
+// A group passes the remaining words to the function of the named command. After the word help, it does so only if this
+// command is a group as well.
 std::string group_function(const Declaration& all, const DeclaredCommand& command, const std::string& specs) {
   std::string names, calls;
   for (const DeclaredCommand* one : commands_of(all, command)) {

@@ -9,7 +9,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::size_t kSteps = 100;
+constexpr std::size_t kSteps = 100;  // between the default positions
 
 struct RigidFlags {
   model::RigidCollision collision;

@@ -39,9 +39,9 @@ void write_frf_group(hdf5::OutputHdf5& out, const std::string& group, const FrfR
   std::map<int, std::size_t> points;
   for (const PointFrf& frf : record.frfs) points.emplace(frf.point, points.size());
   const std::array shape{points.size(), record.accel.size(), count};
-  const auto all = [&](auto&& has) { return std::all_of(record.frfs.begin(), record.frfs.end(), has); };
-  const bool has_std = all([](const PointFrf& f) { return !f.frf.std.empty(); });
-  const bool has_coherence = all([](const PointFrf& f) { return !f.frf.coherence.empty(); });
+  const auto all_have = [&](auto&& has) { return std::all_of(record.frfs.begin(), record.frfs.end(), has); };
+  const bool has_std = all_have([](const PointFrf& f) { return !f.frf.std.empty(); });
+  const bool has_coherence = all_have([](const PointFrf& f) { return !f.frf.coherence.empty(); });
 
   const std::string frequency = within(group, "frequency_hz"), frfs = within(group, "frf"),
                     stds = within(group, "frf_std"), coherence = within(group, "coherence"),
@@ -59,11 +59,11 @@ void write_frf_group(hdf5::OutputHdf5& out, const std::string& group, const FrfR
   out.create_set(point_set, std::array{numbers.size()}, hdf5::Stored::int32);
   out.write(point_set, {}, 0, std::span<const double>(numbers));
   for (const PointFrf& frf : record.frfs) {
-    const Frf shown = converted(frf.frf, record.lines, kind, record.decay_per_s);
+    const Frf stored = converted(frf.frf, record.lines, kind, record.decay_per_s);
     const std::array at{points.at(frf.point), frf.channel};
-    out.write(frfs, at, 0, std::span<const Complex>(shown.value));
-    if (has_std) out.write(stds, at, 0, std::span<const double>(shown.std));
-    if (has_coherence) out.write(coherence, at, 0, std::span<const double>(shown.coherence));
+    out.write(frfs, at, 0, std::span<const Complex>(stored.value));
+    if (has_std) out.write(stds, at, 0, std::span<const double>(stored.std));
+    if (has_coherence) out.write(coherence, at, 0, std::span<const double>(stored.coherence));
   }
   write_attributes(out, group, record, kind);
 }

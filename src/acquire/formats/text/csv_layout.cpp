@@ -16,7 +16,7 @@ constexpr std::size_t kMaxColumns = 4096;
 CsvLayout layout_of_text(const FileBytes& bytes, CsvContent content) {
   const std::string file = input_name(bytes.path);
   const std::string_view text = without_byte_order_mark(bytes.view());
-  const std::size_t mark = bytes.view().size() - text.size();
+  const std::size_t mark_bytes = bytes.view().size() - text.size();
   require_text(text.substr(0, std::size_t{1} << 16U), file);
   CsvLayout layout;
   const char line_end = find_line_end(text);
@@ -36,7 +36,7 @@ CsvLayout layout_of_text(const FileBytes& bytes, CsvContent content) {
   if (!layout.number_columns.empty() && layout.number_columns.back() >= kMaxColumns - 1)
     throw InputError("more than 4095 columns", file, "save one line per sample");
   layout.header = read_csv_header(text, layout.dialect, layout.number_columns, file, content);
-  layout.header.data_start += mark;
+  layout.header.data_start += mark_bytes;
   return layout;
 }
 

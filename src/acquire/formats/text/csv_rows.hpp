@@ -31,8 +31,8 @@ struct CsvRow {
 /// rows.
 std::vector<CsvRow> find_csv_rows(const CsvTable& table, const CsvColumns& columns);
 
-/// The sampling rate: the user's, else from the times and the header, which must agree. Times of day that give no
-/// rate, such as whole seconds, leave it to the header. If the times show that lines were lost (gaps_of_stamps()), adds
+/// The sampling rate: the user's, else from the times and the header, which must agree. If times of day give no rate,
+/// such as whole seconds, it is the header's. If the times show that lines were lost (gaps_of_stamps()), adds
 /// the gaps and the missing samples to the rows. Adds assumptions to `notes`.
 /// errors  InputError: no rate is stated, two rates disagree (also of two rows), time stamps are uneven or coarse, the
 /// rate is implausible.

@@ -187,12 +187,12 @@ TEST(ReadFrfText, RefusesPointNumbersThatAreTooLarge) {
 }
 
 TEST(ReadFrfText, RefusesPointsThatLackAChannel) {
-  const char* const kMany = "not one FRF of every channel for every point";
-  EXPECT_THAT(refusal("frequency,p0_c0_re,p0_c0_im,p1_c1_re,p1_c1_im\n0,1,2,3,4\n1,1,2,3,4\n"), HasSubstr(kMany));
-  EXPECT_THAT(refusal("frequency,p0_c0_re,p0_c0_im,p0_c0_re,p0_c0_im\n0,1,2,3,4\n1,1,2,3,4\n"), HasSubstr(kMany));
+  const char* const kIncomplete = "not one FRF of every channel for every point";
+  EXPECT_THAT(refusal("frequency,p0_c0_re,p0_c0_im,p1_c1_re,p1_c1_im\n0,1,2,3,4\n1,1,2,3,4\n"), HasSubstr(kIncomplete));
+  EXPECT_THAT(refusal("frequency,p0_c0_re,p0_c0_im,p0_c0_re,p0_c0_im\n0,1,2,3,4\n1,1,2,3,4\n"), HasSubstr(kIncomplete));
   EXPECT_THAT(refusal("frequency,p0_c0_re,p0_c0_im,p1_c9223372036854775808_re,p1_c9223372036854775808_im\n"
                       "0,1,2,3,4\n1,1,2,3,4\n"),
-              HasSubstr(kMany));
+              HasSubstr(kIncomplete));
 }
 
 TEST(ReadFrfText, RefusesGapsAndUnevenFrequencies) {
