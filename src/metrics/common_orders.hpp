@@ -16,10 +16,11 @@ class CommonOrders {
  public:
   CommonOrders(const ComparedDocument& a, const ComparedDocument& b, double furthest);
 
-  /// Whether the orders of two modes, of any document, tell that they are the same or another mode.
+  /// Whether the orders of two modes of one family decide whether the modes are the same. Each mode may be of either
+  /// document.
   bool hold(const ComparedMode& x, const ComparedMode& y) const;
-  /// Whether they are modes of different orders. One of the families may be uncertain: in another family, the modes
-  /// differ as well.
+  /// Whether the modes differ because their orders differ. The family of one of them may be uncertain: if it is another
+  /// family, the modes differ as well.
   bool tell_apart(const ComparedMode& x, const ComparedMode& y) const;
   /// The orders of a family that both documents state and that hold, ascending.
   std::map<std::string, std::vector<int>> common() const;

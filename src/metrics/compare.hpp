@@ -34,9 +34,9 @@ struct ComparedMode {
 
 /// The place of a point of the shapes.
 struct ComparedPlace {
-  int number = 0;  // that people see
+  int number = 0;  // of the point, as texts show it
   std::optional<std::array<double, 3>> xyz_m{};
-  std::optional<std::array<double, 3>> direction{};  // unit vector of a positive value
+  std::optional<std::array<double, 3>> direction{};  // unit vector in which a positive value points
 };
 
 /// The largest deflection under an impact.
@@ -66,7 +66,7 @@ struct DoubtedOrders {
 
 struct PairOptions {
   double furthest = 0.25;           // largest difference of frequency, relative to the first document's
-  double furthest_of_orders = 0.5;  // likewise, of modes whose equal orders hold
+  double furthest_of_orders = 0.5;  // the same limit, for modes that pair by order
   double min_mac = 0.6;             // smallest MAC, where both modes have shapes
 };
 

@@ -218,7 +218,7 @@ std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows,
 }
 
 std::vector<StampGap> gaps_of_stamps(const TimeStamps& row, std::optional<double> fs_Hz) {
-  constexpr double kMinUnits = 4;  // of the last digit, in a step
+  constexpr double kMinUnits = 4;  // the shortest step, in units of the last digit
   if (row.time_s.size() < 3) return {};
   const std::vector<double> steps = steps_of(row.time_s);
   const auto even_with = [&](const std::vector<StampGap>& gaps) {

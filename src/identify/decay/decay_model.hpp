@@ -9,8 +9,8 @@
 
 namespace percuss::identify {
 
-/// The width of a mode's window on either side of its frequency: the wider of the first two, at most the third. A group
-/// is fitted over the windows of its modes.
+/// The width of a mode's window on either side of its frequency: the larger of `half_power_bandwidths` and `lines`, at
+/// most `max_lines`. A group is fitted over the windows of its modes.
 struct DecayWindows {
   double half_power_bandwidths = 40;
   double lines = 60;
@@ -71,7 +71,7 @@ class DecayModel {
   /// DecayGroup::line_std for these windows, which hold `lines` lines.
   Eigen::VectorXd line_std_of(const std::vector<std::pair<std::size_t, std::size_t>>& windows,
                               Eigen::Index lines) const;
-  /// Takes the results of a group's fit over.
+  /// Stores the results of a group's fit in its modes.
   void store(const DecayGroupFit& fitted, const std::vector<std::size_t>& members);
   /// The variance of the noise near a mode, relative to lines where line_std_ is 1.
   double variance_at(const DecayRate& rate) const;

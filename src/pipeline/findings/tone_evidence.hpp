@@ -12,7 +12,7 @@ namespace percuss::pipeline {
 /// Whether the phase relative to the force differs from hit to hit. The phase of a mode is fixed, up to its sign.
 bool has_free_phase(std::span<const ToneSignal> signals, const std::vector<Complex>& amplitude, double turns);
 
-/// Whether the sinusoid, extended to the time before the hits, is there.
+/// Whether the sinusoid, extended to the time before the hits, describes the signal there.
 bool is_there_before(std::span<const ToneSignal> signals, const std::vector<Complex>& amplitude, double turns);
 
 /// Whether the amplitude, as a complex number, differs between the halves of the late segment.

@@ -18,8 +18,8 @@ constexpr double kAboveQuiet = 30;                             // times the 20 %
 constexpr std::size_t kMinHistoryBlocks = 5;                   // longer blocks in the history before a rise
 constexpr std::size_t kBlockFactor = 4, kMaxBlockFactor = 16;  // blocks in a longer block: 4, then 16
 constexpr double kMinMeanRate_Hz = 5000;                       // of the means whose differences are taken
-constexpr double kMinClarityGain =
-    2;  // factor by which a longer mean must raise the ratio of the largest to the quiet power
+// Factor by which a longer mean must raise the ratio of the largest to the quiet power.
+constexpr double kMinClarityGain = 2;
 constexpr double kAtStart = 0.5;  // of the strongest block's power: a blow within the first 20 ms of a row
 constexpr std::size_t kNoiseBlocks = 20;
 constexpr double kAboveNoise = 1.5;   // times the largest value in these blocks before the rise
@@ -42,8 +42,8 @@ Blocks blocks_at(double fs_Hz) {
           .contact = std::max<std::size_t>(1, whole(kContact_s))};
 }
 
-// Blocks `times` as long; the power of noise hardly varies between them. The history before a rise has five of them or
-// more: longer than a beat of two modes takes to rise tenfold.
+// Blocks that are `times` times as long: the power of noise hardly varies between them. The history before a rise has
+// at least five of them, which is longer than the time in which a beat of two modes rises tenfold.
 Blocks longer_blocks(const Blocks& blocks, std::size_t times) {
   return {.samples = blocks.samples * times,
           .history = std::max(kMinHistoryBlocks, blocks.history / times),

@@ -15,7 +15,7 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kMinQuiet = 64;  // samples before a hit: they determine the noise to a tenth
+constexpr std::size_t kMinQuiet = 64;  // samples before a hit, which determine its noise to a tenth
 constexpr std::size_t kMinPoints = 3;  // of a survey that shows what is usual
 constexpr double kClearHeight = 30;    // standard deviations of the noise, which a clear response reaches
 constexpr double kNoiseExtreme = 6;    // the same, which noise does not reach: a million samples of white noise reach 5
