@@ -35,7 +35,7 @@ struct InfoFlags {
   bool example = false;
 };
 
-/// Totals over the rows of a record.
+/// Samples, points and runs of a record, over all rows.
 struct Extent {
   std::size_t samples = 0, shortest = 0, longest = 0, points = 0, runs = 0;
 };
