@@ -302,7 +302,7 @@ std::vector<DeflectionPair> pair_deflections(const ComparedDocument& a, const Co
                        : d.point    ? at_point(other, *d.point)
                                     : std::nullopt;
     if (!match || !(d.peak_m > 0) || !(match->peak_m > 0)) continue;
-    // Other over lead is model/test where one document is a model, otherwise b/a.
+    // Other over lead is model/test if one document is a model, otherwise b/a.
     const double ratio = match->peak_m / d.peak_m;
     pairs.push_back({.point = d.point,
                      .position_m = d.position_m,

@@ -45,7 +45,7 @@ TEST(PairModes, SkipsDistantModesAndOtherTypes) {
               ElementsAre(testing::Pair(0, 0)));
 }
 
-// The first peak represents a split mode. The second never pairs with a classified single mode, even where it is
+// The first peak represents a split mode. The second never pairs with a classified single mode, even if it is
 // nearer.
 TEST(PairModes, PairsTheFirstPeakOfASplitMode) {
   ComparedDocument doublet = document_with({1900, 1912}, "hoop");

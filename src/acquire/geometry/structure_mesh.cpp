@@ -32,8 +32,8 @@ Vector3d middle_of(MeshPoints points) {
 }
 std::array<double, 3> array_of(const Vector3d& v) { return {v[0], v[1], v[2]}; }
 
-// Axes along which the points lie, longest extent first. Coordinate axes where the points lie along them, so that a
-// plate in x and y keeps its rows; else the principal axes.
+// Axes along which the points lie, longest extent first. They are the coordinate axes if the points lie along these, so
+// that a plate in x and y keeps its rows; else the principal axes.
 struct MeshAxes {
   Vector3d middle = Vector3d::Zero();
   std::array<Vector3d, 3> axis;

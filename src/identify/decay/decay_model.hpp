@@ -35,8 +35,8 @@ struct FittedDecay {
 };
 
 /// Decays fitted to spectra, group by group: modes whose windows overlap are fitted together, at most eight, and the
-/// other groups are subtracted. Groups take turns until the rates stand still. A group in which, and near which,
-/// nothing changed since its last fit is not fitted again.
+/// other groups are subtracted. The groups are fitted in turn until the rates no longer change. A group in which, and
+/// near which, nothing changed since its last fit is not fitted again.
 class DecayModel {
  public:
   explicit DecayModel(const DecaySpectra& measured) : measured_(&measured) {}
@@ -57,7 +57,7 @@ class DecayModel {
   DecaySpectra residual() const;
 
  private:
-  /// Fits a group. Returns whether the fit converged and the rates stood still.
+  /// Fits a group. Returns whether the fit converged without a change of the rates.
   bool fit_unsettled(const std::vector<std::size_t>& members, const DecayWindows& windows);
   void unsettle_near(const DecayRate& rate);
   bool is_settled(const std::vector<std::size_t>& members, DecayAccuracy accuracy) const;

@@ -62,7 +62,7 @@ bool may_be_misfit(const DecayRate& weak, const DecayRate& strong) {
 // Whether the fit of a decay ended at a rate that describes the end of the force, and no motion of the structure.
 bool ran_away(const DecayRate& rate, double fs_Hz) { return -rate.rate_radps.real() > kFastestFit * fs_Hz; }
 
-// The index of a decay to leave out; the number of decays where all stay.
+// The index of the first decay to leave out; the number of decays if all stay.
 std::size_t unconfirmed(const DecayModel& model, const std::vector<double>& energy, double threshold,
                         double misfit_energy, double fs_Hz) {
   const auto& modes = model.modes();
@@ -135,7 +135,7 @@ std::optional<DecayModel> with_one_scattered_mode(const DecayModel& model, std::
   return trial;
 }
 
-// The model with mode m split into two, half a half-power bandwidth apart at the start, where this lowers χ² by more
+// The model with mode m split into two, half a half-power bandwidth apart at the start, if this lowers χ² by more
 // than noise would. The search cannot find such a pair: one fitted mode leaves no clear peak of the other. But the
 // shapes of the two modes differ. If one mode whose frequency differs between the hits fits about as well, nothing is
 // returned, and `model` stores the pair as an alternative. `residual_chi2` is χ² of the model's residual.
@@ -208,7 +208,7 @@ class FreeDecayFitter {
   }
 
   // The rough fits of a search refuse some decays that a full fit of the others reveals: the residual is searched
-  // again. False where the search ended at max_decays.
+  // again. False if the search ended at max_decays.
   bool search() {
     for (int round = 0; round < kMaxRounds; ++round) {
       const std::size_t before = model_.modes().size();

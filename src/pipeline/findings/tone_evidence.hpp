@@ -5,7 +5,7 @@
 #include "core/math/fft.hpp"
 #include "pipeline/findings/tones.hpp"
 
-// Evidence that tells tones from modes. `turns` is a frequency in turns per sample, `amplitude` the sinusoid's
+// Evidence that distinguishes tones from modes. `turns` is a frequency in turns per sample, `amplitude` the sinusoid's
 // amplitude in each signal.
 namespace percuss::pipeline {
 

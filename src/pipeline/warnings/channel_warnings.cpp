@@ -48,7 +48,7 @@ double coarsest_step(const std::vector<AnalysedHit>& hits, std::size_t channel) 
   return step;
 }
 
-// The largest distance of a response from its level before the hit, over the noise there. Nothing where too few samples
+// The largest distance of a response from its level before the hit, over the noise there. Nothing if too few samples
 // before the hit determine the noise.
 std::optional<double> height_over_noise(const HitResponses& responses, std::size_t hit, std::size_t channel) {
   if (channel >= responses.of[hit].size()) return std::nullopt;

@@ -196,8 +196,8 @@ TEST(ResponseTest, EndsWhenItsBudgetIsSpent) {
   EXPECT_THROW(analyse_responses(rows(1), options), BudgetSpent);
 }
 
-// In one spectrum, nothing tells a weak close mode from a frequency that changes while the amplitude decays. Here the
-// frequency rises by a quarter of the half-power bandwidth from the first sample to the last.
+// In one spectrum, nothing distinguishes a weak close mode from a frequency that changes while the amplitude decays.
+// Here the frequency rises by a quarter of the half-power bandwidth from the first sample to the last.
 TEST(ResponseTest, TakesAFrequencyThatChangesDuringTheDecayForOneMode) {
   constexpr double kFreq_Hz = 400, kDamping = 0.003, kRise = 0.25 * 2 * kDamping, kNoise = 0.01;
   const double decay_per_s = kTwoPi * kFreq_Hz * kDamping;
