@@ -1,9 +1,9 @@
 // percuss_effort_ratio [LO:HI FILE]...
-// Prints the time of FRFs and of each effort, in ms and in multiples of the time of bare FFTW transforms, and the time
-// of each stage in ms. The transforms are of the same records in memory: one per channel and hit, planned with
-// FFTW_MEASURE, on one thread, in the same run. In brackets, the unit is the time of as many transforms of one signal
-// that stays in the cache. Without files, the program uses the bundled composite bat, which has a split hoop mode. Each
-// time is the best of several in alternation, so a disturbance affects all alike.
+// Prints the time of FRFs and of each effort, in ms and as a multiple of the time of bare FFTW transforms, and the time
+// of each stage in ms. The bare transforms are of the same records in memory: one per channel and hit, planned with
+// FFTW_MEASURE, on one thread, in the same run. The multiple in brackets refers to as many transforms of one signal
+// that stays in the cache. Without files, the program uses the bundled composite bat, which has a split hoop mode. All
+// measurements alternate, so that a disturbance affects all alike; each time is the shortest of several rounds.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@
 namespace percuss {
 namespace {
 
-constexpr double kMin_s = 3;  // total time of the analyses; there are at least three rounds
+constexpr double kMinTotal_s = 3;  // total time of the analyses; there are at least three rounds
 
 acquire::Record in_memory(const acquire::Record& record) {
   std::vector<std::vector<double>> force;
@@ -46,14 +46,14 @@ acquire::Record in_memory(const acquire::Record& record) {
   return copy;
 }
 
-// The force and the accelerations of the record in memory, and their transforms.
-class Bare {
+// Bare FFTW transforms of the force and the accelerations of a record, which are copied first.
+class BareTransforms {
  public:
-  explicit Bare(const acquire::Record& record) : fftw_(record.rows.front().samples, FFTW_MEASURE) {
+  explicit BareTransforms(const acquire::Record& record) : fftw_(record.rows.front().samples, FFTW_MEASURE) {
     const std::size_t samples = record.rows.front().samples;
     for (std::size_t row = 0; row < record.rows.size(); ++row) {
-      record.read_force_N(row, 0, place_for(samples));
-      for (std::size_t c = 0; c < record.accel.size(); ++c) record.read_accel_mps2(row, c, 0, place_for(samples));
+      record.read_force_N(row, 0, new_signal(samples));
+      for (std::size_t c = 0; c < record.accel.size(); ++c) record.read_accel_mps2(row, c, 0, new_signal(samples));
     }
   }
   void run() {
@@ -65,7 +65,7 @@ class Bare {
   }
 
  private:
-  std::span<double> place_for(std::size_t samples) {
+  std::span<double> new_signal(std::size_t samples) {
     values_.push_back(fftw_samples(samples));
     return {values_.back().get(), samples};
   }
@@ -82,7 +82,7 @@ struct Measured {
 
   void run(const acquire::Record& record, pipeline::AnalysisOptions options) {
     if (effort) options.modes.effort = *effort;
-    std::string its_stages;
+    std::string stage_times;
     const double took = seconds_of([&] {
       const pipeline::Analysis analysis(record, options);
       if (effort) {
@@ -91,21 +91,21 @@ struct Measured {
         (void)analysis.frfs();
       }
       for (const auto& stage : analysis.trace().stages())
-        its_stages += fmt::format(" {} {:.2f}", stage.name, stage.seconds * 1e3);
+        stage_times += fmt::format(" {} {:.2f}", stage.name, stage.seconds * 1e3);
     });
     if (took >= best_s) return;
     best_s = took;
-    stages = its_stages;
+    stages = stage_times;
   }
 };
 
 void compare(const std::string& name, const acquire::Record& record, pipeline::AnalysisOptions options) {
   options.threads = 1;
-  Bare bare(record);
+  BareTransforms bare(record);
   double bare_s = 1e9, cached_s = 1e9;
   std::vector<Measured> measured{{}, {identify::Effort::quick}, {identify::Effort::standard}, {identify::Effort::best}};
   double all_s = 0;
-  for (int n = 0; n < 3 || all_s < kMin_s; ++n) {
+  for (int n = 0; n < 3 || all_s < kMinTotal_s; ++n) {
     bare_s = std::min(bare_s, seconds_of([&] { bare.run(); }));
     cached_s = std::min(cached_s, seconds_of([&] { bare.run_cached(); }));
     all_s += seconds_of([&] {

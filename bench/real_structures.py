@@ -26,14 +26,15 @@ NEAR = 0.01  # relative distance from a reference frequency within which a mode 
 CSV = ['--fs', '48000', '--unit', 'g', '--force-unit', 'N', '--quiet']
 ABOUT_MEASURED = """\
 `bench/real_structures.py` measures this section. The reference modes come from independent fits; they are another
-estimate, not the truth. "Over σ" is the scatter of a mode's single hits over their stated standard deviations: the
-median over the modes, and the part below 3. "Halves" compares the modes of every other point with those of the rest,
-over their σ.
+estimate, not the truth. "Over σ" is the scatter of a mode's single hits, divided by their stated standard deviations:
+the median over the modes, and the share of modes below 3. "Halves" compares the modes of the even points with the modes
+of the odd points: the differences of the frequencies, divided by their σ.
 """
 ABOUT_SIMULATED = """\
-Simulated tests with one imperfection each. [stress.md](stress.md#imperfect-tests) defines the outcomes. Named and
-warned: results are wrong, and a message says why, or that they may be. SILENT: wrong without a message. UNNAMED: right
-or fair results with unreliable standard deviations, and no message says why.
+Simulated tests with one imperfection each. [stress.md](stress.md#imperfect-tests) defines the outcomes. Named: results
+are wrong, and a message says why. Warned: results are wrong, and a message says that they may be. SILENT: results are
+wrong without a message. UNNAMED: results are right or fair, their standard deviations are unreliable, and no message
+says why.
 """
 ABOUT_SCENARIOS = """\
 Each scenario is a hammer test of a tube with one imperfection of real tests, simulated at 16 times the sampling rate
@@ -57,11 +58,11 @@ Each test has one outcome:
 - other: nothing in the record shows the imperfection, so no result is required; or good hits were rejected
 
 The scenario twenty is either right or SILENT. It is right if no clear mode is missing, no mode is false, no value is
-more than 5 standard deviations from the truth, and the squared distances from the truth are at most 1.5 variances in
-the mean.
+more than 5 standard deviations from the truth, and the mean of the squared distances from the truth, each divided by
+its variance, is at most 1.5.
 
-A row states a scenario and its level: a higher level is a larger imperfection, or another form of it. These names need
-a word of explanation:
+A row states a scenario and its level: a higher level is a larger imperfection, or another form of it. Explanations of
+some names:
 
 - damper, gyro: complex modes, from a damper at one place or from gyroscopic coupling; air: damping rises with amplitude
 - drift_hits, drift_decay: frequencies drift from hit to hit, or during the decay
@@ -97,7 +98,7 @@ def frequencies(reference):
 
 
 def found(modes, reference):
-    """The number of reference modes found, each by a mode of its own, and the number of further modes."""
+    """The number of reference modes that have a mode of their own, and the number of the other modes."""
     left = sorted(m['frequency_hz'] for m in modes)
     count = 0
     for hz in reference:
@@ -137,7 +138,7 @@ def pairs(one, other):
 
 
 def spread(values):
-    """The median, and the part of the values below 3."""
+    """The median, and the share of the values below 3."""
     if not values:
         return '–'
     return '%.2g; %.0f %% below 3' % (statistics.median(values), 100 * sum(v < 3 for v in values) / len(values))
@@ -198,7 +199,7 @@ def measured_rows(tool, data, measured):
         document = percuss(tool, 'analyze', *files, *CSV, '--files', 'hits', '--band', '40:450', '--per-hit')
         known = frequencies(reference['spruce_plates'].get('plate_%d' % plate, []))
         rows.append(row('spruce plate %d' % plate, document, known))
-    # The last of its reference modes lies above the band that the force's own spectrum gives.
+    # The band of the force's spectrum ends below the last reference mode.
     document = percuss(tool, 'analyze', os.path.join(data, 'pyfrf_5hits', 'record.h5'), '--per-hit', '--quiet',
                        '--band', '100:8000')
     rows.append(row('steel part, 5 hits', document, frequencies(reference['pyfrf_5hits']['modes'])))

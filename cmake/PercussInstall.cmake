@@ -23,7 +23,7 @@ install(FILES third_party/uplot/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENA
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.json")
 
-# The package percuss depends on the run-time libraries of the tool, and suggests the packages for programs that link
+# The package percuss depends on the run-time libraries of the tool, and suggests the packages that are needed to link
 # percuss. A build with PERCUSS_PYTHON also makes the package python3-percuss, for every Python 3 of Debian.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME percuss)

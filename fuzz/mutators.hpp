@@ -25,7 +25,7 @@ void mutate_hdf5(std::string& bytes, Random& random);
 /// Calls the mutator for the format of the bytes, if there is one.
 void mutate_binary_formats(std::string& bytes, Random& random);
 
-/// One of `count` indices; 0 for none.
+/// A random index below `count`; 0 if `count` is 0.
 inline std::size_t below(Random& random, std::size_t count) { return count == 0 ? 0 : random() % count; }
 
 template <class Item, std::size_t count>
@@ -36,7 +36,7 @@ const Item& one_of(const Item (&items)[count], Random& random) {
 /// A number at the limits of types, sizes and formats, or a small one.
 std::uint64_t unusual_number(Random& random);
 
-/// Little-endian numbers in binary files; 0 beyond the end, where writing does nothing.
+/// Little-endian numbers in binary files. Beyond the end, the number read is 0, and nothing is written.
 template <class Number>
 Number number_at(std::string_view bytes, std::size_t at) {
   Number number{};

@@ -205,8 +205,8 @@ multiples of one bare transform of 65 536 values.
 `modal` moves the modes exactly between impulses of the contact force and has fourth order in the step. By default it
 shortens the step until the estimated error of the restitution and the error of the energy are at most 5e-10. The
 published `small-increment` keeps the force constant in each step and has first order. It is faster only for errors of a
-hundredth: its longest steps are Pareto-optimal, its shorter ones are not (not
-Pareto-optimal: {} cases). It stays for comparison with published figures.
+hundredth: its longest steps are Pareto-optimal, but not its shorter ones
+(not Pareto-optimal: {} cases). It stays for comparison with published figures.
 )",
                      case_table(task, main), picture(task), not_optimal(task, "small-increment"));
 }

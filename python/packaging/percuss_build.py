@@ -20,8 +20,8 @@ import tempfile
 import zipfile
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
-PRESET = "python"  # as ./start python, so that one build serves both
-_EPOCH = (1980, 1, 1, 0, 0, 0)  # the same sources give the same wheel
+PRESET = "python"  # the preset of ./start python: both share one build
+_EPOCH = (1980, 1, 1, 0, 0, 0)  # one date for all files, so that the same sources give the same wheel
 _METADATA = """Metadata-Version: 2.1
 Name: percuss
 Version: {version}

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The overhead of the Python module over the library in microseconds, for the same small record and result.
+"""Measures the time that the Python module adds to the library, for one small record.
 
-Prints the shortest time of many calls for each. A test limits the difference to 100 µs.
+Prints the shortest of many calls of each, in µs, and the difference. A test limits the difference to 100 µs.
 """
 
 import time

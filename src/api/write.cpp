@@ -60,15 +60,15 @@ report::Provenance provenance(const WriteOptions& options) {
           .title_block = title_block(options.title)};
 }
 
-std::vector<std::string> pictures(const WriteOptions& options, const std::vector<std::string>& known,
-                                  const std::vector<std::string>& otherwise) {
+std::vector<std::string> chosen_pictures(const WriteOptions& options, const std::vector<std::string>& known,
+                                         const std::vector<std::string>& defaults) {
   for (const std::string& name : options.picture) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       throw InputError("there is no picture " + name, "WriteOptions::picture",
                        fmt::format("choose from {}", fmt::join(known, ", ")), {"picture"});
     }
   }
-  return options.picture.empty() ? otherwise : options.picture;
+  return options.picture.empty() ? defaults : options.picture;
 }
 
 void require_possible(const pipeline::Analysis& analysis) {
@@ -96,19 +96,20 @@ void write(const std::string& path, const FrfSet& frfs, const WriteOptions& opti
 void write(const std::string& path, const Analysis& analysis, const WriteOptions& options) {
   const std::string kind =
       api::checked_extension(path, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".mat", ".uff", ".unv"}, options);
-  const pipeline::Analysis& its = analysis.data().analysis;
+  const pipeline::Analysis& internal = analysis.data().analysis;
   if (kind == ".json") {
-    write_file(path, report::analysis_json(its), options.overwrite);
+    write_file(path, report::analysis_json(internal), options.overwrite);
   } else if (kind == ".html") {
-    write_file(path, report::analysis_page(its, {}, api::provenance(options)), options.overwrite);
+    write_file(path, report::analysis_page(internal, {}, api::provenance(options)), options.overwrite);
   } else if (kind == ".svg") {
-    const auto names = api::pictures(options, report::analysis_chart_names(), {"magnitude", "phase", "coherence"});
-    const auto types = its.possible() ? its.classifications() : std::vector<identify::ModeClassification>();
-    write_file(path, report::svg_document(report::analysis_charts(its, types, names)), options.overwrite);
+    const auto names =
+        api::chosen_pictures(options, report::analysis_chart_names(), {"magnitude", "phase", "coherence"});
+    const auto types = internal.possible() ? internal.classifications() : std::vector<identify::ModeClassification>();
+    write_file(path, report::svg_document(report::analysis_charts(internal, types, names)), options.overwrite);
   } else {
-    api::require_possible(its);
+    api::require_possible(internal);
     if (api::is_uff(kind)) {
-      report::write_modes_uff(path, its, options.overwrite);
+      report::write_modes_uff(path, internal, options.overwrite);
     } else {
       write(path, analysis.frfs(), options);
     }
@@ -118,23 +119,23 @@ void write(const std::string& path, const Analysis& analysis, const WriteOptions
 void write(const std::string& path, const Survey& survey, const WriteOptions& options) {
   const std::string kind =
       api::checked_extension(path, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".uff", ".unv"}, options);
-  const pipeline::Survey& its = api::computed(survey);
+  const pipeline::Survey& internal = api::computed(survey);
   if (kind == ".json") {
-    write_file(path, report::survey_json(its), options.overwrite);
+    write_file(path, report::survey_json(internal), options.overwrite);
   } else if (kind == ".html") {
-    write_file(path, report::survey_page(its, api::provenance(options)), options.overwrite);
+    write_file(path, report::survey_page(internal, api::provenance(options)), options.overwrite);
   } else if (kind == ".svg") {
-    const auto names = api::pictures(options, report::survey_chart_names(), {"shapes"});
-    write_file(path, report::svg_document(report::survey_charts(its, names)), options.overwrite);
+    const auto names = api::chosen_pictures(options, report::survey_chart_names(), {"shapes"});
+    write_file(path, report::svg_document(report::survey_charts(internal, names)), options.overwrite);
   } else {
-    api::require_possible(its.analysis());
+    api::require_possible(internal.analysis());
     if (kind == ".csv") {
-      write_file(path, path.ends_with(".cmif.csv") ? report::cmif_csv(its) : report::shapes_csv(its),
+      write_file(path, path.ends_with(".cmif.csv") ? report::cmif_csv(internal) : report::shapes_csv(internal),
                  options.overwrite);
     } else if (api::is_uff(kind)) {
-      report::write_modes_uff(path, its, options.overwrite);
+      report::write_modes_uff(path, internal, options.overwrite);
     } else {
-      report::write_survey_hdf5(path, its, options.overwrite);
+      report::write_survey_hdf5(path, internal, options.overwrite);
     }
   }
 }

@@ -11,7 +11,7 @@ namespace percuss::frf {
 /// spectral lines. The pulse is divided by the kernel's inverse transform beforehand.
 /// source  [19] in docs/theory/sources.md.
 /// shapes  pulse [n] starts at sample `offset` of lines.samples; out [lines.count], within 1e-13 of the largest line.
-/// Returns false and leaves `out` unchanged where this saves no work: the pulse is long, or lines.samples has no
+/// Returns false and leaves `out` unchanged if this saves no work: the pulse is long, or lines.samples has no
 /// suitable factor.
 bool pulse_spectrum(std::span<const double> pulse, std::size_t offset, const LineRange& lines, std::span<Complex> out);
 

@@ -11,15 +11,16 @@ namespace percuss::metrics {
 /// 0.9 or more count. An order is a count from below, so that a mode that one document lacks moves all orders above it.
 /// The common orders are therefore compared from below, by the change of ln(f_b/f_a) from the common order below: if a
 /// higher order of the other document is more than twice as near, orders from here on are in doubt. The orders of a
-/// family do not hold at all where no common order lies within `furthest`, relative to the first document.
+/// family do not hold at all if no common order lies within `furthest`, relative to the first document.
 class CommonOrders {
  public:
   CommonOrders(const ComparedDocument& a, const ComparedDocument& b, double furthest);
 
-  /// Whether the orders of two modes, of any document, tell that they are the same or another mode.
+  /// Whether the orders of two modes of one family decide whether the modes are the same. Each mode may be of either
+  /// document.
   bool hold(const ComparedMode& x, const ComparedMode& y) const;
-  /// Whether they are modes of different orders. One of the families may be uncertain: in another family, the modes
-  /// differ as well.
+  /// Whether the modes differ because their orders differ. The family of one of them may be uncertain: if it is another
+  /// family, the modes differ as well.
   bool tell_apart(const ComparedMode& x, const ComparedMode& y) const;
   /// The orders of a family that both documents state and that hold, ascending.
   std::map<std::string, std::vector<int>> common() const;

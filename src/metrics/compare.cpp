@@ -115,7 +115,7 @@ std::vector<ModePair> by_frequency(const ComparedDocument& a, const ComparedDocu
       if (const auto pair = together(i, k); pair && pair->better(here)) here = *pair;
     }
   }
-  std::vector<ModePair> pairs;  // from above
+  std::vector<ModePair> pairs;  // from the highest frequencies down
   for (std::size_t i = rows.size(), k = columns.size(); i > 0 && k > 0;) {
     const Best& here = best[i][k];
     const auto same = [&](const Best& other) { return other.pairs == here.pairs && other.apart == here.apart; };
@@ -179,9 +179,10 @@ std::vector<ModePair> by_order(const ComparedDocument& a, const ComparedDocument
   return pairs;
 }
 
-// Pairs of modes that are not in `chosen`, whose shapes cannot be compared, and whose orders do not tell.
-std::vector<ModePair> of_the_rest(const ComparedDocument& a, const ComparedDocument& b, const CommonOrders& orders,
-                                  const std::vector<ModePair>& chosen, const PairOptions& options) {
+// Pairs, by frequency, of modes that are not in `chosen`, whose shapes cannot be compared, and whose orders do not
+// decide.
+std::vector<ModePair> remaining_pairs(const ComparedDocument& a, const ComparedDocument& b, const CommonOrders& orders,
+                                      const std::vector<ModePair>& chosen, const PairOptions& options) {
   return by_frequency(a, b, unpaired_ascending(a, chosen, &ModePair::a), unpaired_ascending(b, chosen, &ModePair::b),
                       [&](const ComparedMode& x, const ComparedMode& y) {
                         return frequencies_match(x, y, options.furthest) && !orders.hold(x, y) &&
@@ -271,7 +272,7 @@ PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, con
     out.pairs.insert(out.pairs.end(), pairs.begin(), pairs.end());
   };
   add(by_order(a, b, orders, out.pairs, options));
-  add(of_the_rest(a, b, orders, out.pairs, options));
+  add(remaining_pairs(a, b, orders, out.pairs, options));
   std::sort(out.pairs.begin(), out.pairs.end(), [](const ModePair& x, const ModePair& y) { return x.a < y.a; });
   for (ModePair& pair : out.pairs) {
     for (const ModePair& other : out.pairs) {
@@ -301,7 +302,7 @@ std::vector<DeflectionPair> pair_deflections(const ComparedDocument& a, const Co
                        : d.point    ? at_point(other, *d.point)
                                     : std::nullopt;
     if (!match || !(d.peak_m > 0) || !(match->peak_m > 0)) continue;
-    // Other over lead is model/test where one document is a model, otherwise b/a.
+    // Other over lead is model/test if one document is a model, otherwise b/a.
     const double ratio = match->peak_m / d.peak_m;
     pairs.push_back({.point = d.point,
                      .position_m = d.position_m,

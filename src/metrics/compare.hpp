@@ -34,9 +34,9 @@ struct ComparedMode {
 
 /// The place of a point of the shapes.
 struct ComparedPlace {
-  int number = 0;  // that people see
+  int number = 0;  // of the point, as texts show it
   std::optional<std::array<double, 3>> xyz_m{};
-  std::optional<std::array<double, 3>> direction{};  // unit vector of a positive value
+  std::optional<std::array<double, 3>> direction{};  // unit vector in which a positive value points
 };
 
 /// The largest deflection under an impact.
@@ -66,8 +66,8 @@ struct DoubtedOrders {
 
 struct PairOptions {
   double furthest = 0.25;           // largest difference of frequency, relative to the first document's
-  double furthest_of_orders = 0.5;  // likewise, of modes whose equal orders hold
-  double min_mac = 0.6;             // smallest MAC, where both modes have shapes
+  double furthest_of_orders = 0.5;  // the same limit, for modes that pair by order
+  double min_mac = 0.6;             // smallest MAC, if both modes have shapes
 };
 
 /// What paired two modes.
@@ -80,9 +80,9 @@ struct ModePair {
   PairedBy by = PairedBy::frequency;
   double difference_percent = 0;  // of b relative to a
   std::optional<double> difference_std_percent;
-  std::optional<double> damping_difference_percent{};  // where both state a damping ratio above zero
+  std::optional<double> damping_difference_percent{};  // if both state a damping ratio above zero
   std::optional<double> damping_difference_std_percent{};
-  std::optional<identify::Mac> mac{};         // where both modes have shapes
+  std::optional<identify::Mac> mac{};         // if both modes have shapes
   std::vector<std::size_t> exchangeable_a{};  // modes of other pairs whose partner may be b instead; ascending
 };
 
@@ -115,12 +115,12 @@ struct DeflectionPair {
   std::optional<int> point;
   std::optional<double> position_m;
   double a_m = 0, b_m = 0;
-  double ratio = 0, ratio_std = 0;  // model/test where one document is a model, otherwise b/a
+  double ratio = 0, ratio_std = 0;  // model/test if one document is a model, otherwise b/a
 };
 
-/// Pairs the largest deflections (peak_m) at the same place. The test leads where the other document is a model,
+/// Pairs the largest deflections (peak_m) at the same place. The test leads if the other document is a model,
 /// otherwise `a` leads. Each deflection of the leading document is paired at its position (interpolated in a model's
-/// sweep), or at its point where it has no position.
+/// sweep), or at its point if it has no position.
 std::vector<DeflectionPair> pair_deflections(const ComparedDocument& a, const ComparedDocument& b);
 
 }  // namespace percuss::metrics

@@ -185,7 +185,7 @@ std::string test_names() {
   return out;
 }
 
-// `Suite.Name`, `Suite.*` or `Suite.Beginning*`.
+// The page names tests as `Suite.Name`, `Suite.*` or `Suite.Beginning*`.
 TEST(Pages, OfSecurityNameTestsThatExist) {
   static const std::regex kNamed(R"(`([A-Z]\w+\.\w*)\*?`)");
   const std::string names = test_names();

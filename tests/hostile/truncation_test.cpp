@@ -35,17 +35,18 @@ std::vector<std::vector<Complex>> frfs_of(const acquire::FrfRecord& record) {
   return out;
 }
 
-/// Whether `whole` begins with `part`, except for the last `spoilt` numbers: a text may be cut within a number.
+/// Whether `whole` begins with `part`, except for the last `uncertain` numbers of it: a text may be cut within a
+/// number.
 template <class Number>
-bool begins(const std::vector<Number>& part, const std::vector<Number>& whole, std::size_t spoilt) {
-  const std::size_t sure = part.size() - std::min(part.size(), spoilt);
+bool begins(const std::vector<Number>& part, const std::vector<Number>& whole, std::size_t uncertain) {
+  const std::size_t certain = part.size() - std::min(part.size(), uncertain);
   return part.size() <= whole.size() &&
-         std::equal(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(sure), whole.begin());
+         std::equal(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(certain), whole.begin());
 }
 
 struct Cut {
   const char* file;
-  std::size_t spoilt;  // numbers at the end of a signal that a cut may change
+  std::size_t uncertain;  // numbers at the end of a signal that a cut may change
   acquire::ReadOptions options = {};
 };
 
@@ -81,13 +82,14 @@ TEST_P(Truncation, KeepsTheSamplesOrIsRejected) {
         const auto parts = samples_of(*record), all = samples_of(std::get<acquire::Record>(whole));
         ASSERT_LE(parts.size(), all.size());
         for (std::size_t i = 0; i < parts.size(); ++i)
-          ASSERT_TRUE(begins(parts[i], all[i], GetParam().spoilt)) << "signal " << i << " after " << size << " bytes";
+          ASSERT_TRUE(begins(parts[i], all[i], GetParam().uncertain))
+              << "signal " << i << " after " << size << " bytes";
       } else {
         const auto parts = frfs_of(std::get<acquire::FrfRecord>(cut)),
                    all = frfs_of(std::get<acquire::FrfRecord>(whole));
         ASSERT_LE(parts.size(), all.size());
         for (std::size_t i = 0; i < parts.size(); ++i)
-          ASSERT_TRUE(begins(parts[i], all[i], GetParam().spoilt)) << "FRF " << i << " after " << size << " bytes";
+          ASSERT_TRUE(begins(parts[i], all[i], GetParam().uncertain)) << "FRF " << i << " after " << size << " bytes";
       }
     } catch (const InputError& refusal) {
       fuzz::require_clean(refusal);

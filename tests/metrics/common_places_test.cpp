@@ -117,7 +117,7 @@ TEST(CommonPlaces, SaysThatCoordinatesDiffer) {
   EXPECT_EQ(common.of_b.size(), 5U);
 }
 
-// The origin of a model's grid is at its centre: half of the points agree with others.
+// The origin of a model's grid is at its centre, so that half of its points lie at other points of the test.
 TEST(CommonPlaces, BelievesNumbersOfMorePoints) {
   std::map<int, ComparedPlace> test, model;
   std::map<int, double> shape;
@@ -165,7 +165,7 @@ TEST(CommonPlaces, DoesNotBelieveOnePlaceOfAllPoints) {
   EXPECT_EQ(common_places(a, a).by, PlacesMatchedBy::numbers);
 }
 
-// All pairs of so many points would take minutes, and much memory where they are at two places.
+// A comparison of all pairs of so many points would take minutes, and much memory if they lie at two places.
 TEST(CommonPlaces, ComparesNoCoordinatesOfTooManyPoints) {
   std::map<int, ComparedPlace> places;
   std::map<int, double> shape;

@@ -45,7 +45,7 @@ TEST(PairModes, SkipsDistantModesAndOtherTypes) {
               ElementsAre(testing::Pair(0, 0)));
 }
 
-// The first peak represents a split mode. The second never pairs with a classified single mode, even where it is
+// The first peak represents a split mode. The second never pairs with a classified single mode, even if it is
 // nearer.
 TEST(PairModes, PairsTheFirstPeakOfASplitMode) {
   ComparedDocument doublet = document_with({1900, 1912}, "hoop");
@@ -214,7 +214,7 @@ TEST(PairModes, DoubtsOrdersThatTheFrequenciesContradict) {
   EXPECT_THAT(indices(pair_modes(all, without_first)), ElementsAre(testing::Pair(1, 0), testing::Pair(2, 1)));
 }
 
-// A single peak of a tube that splits: the lower peak tells how far the mode fell, at whatever distance of the two.
+// The single peak of a tube splits. The lower peak shows how far the mode fell, however far apart the two are.
 TEST(PairModes, PairsPeaksOfOneOrderFromBelow) {
   const ComparedDocument one = document_of_orders({{"bending", 1, 170}, {"hoop", 1, 1740}});
   for (const double upper_Hz : {1695.0, 1721.6, 1739.0}) {

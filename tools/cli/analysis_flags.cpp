@@ -26,7 +26,7 @@ std::optional<double> number(std::string_view text) {
 // "3200", "3200Hz" or "3.2kHz" in Hz.
 std::optional<double> frequency_Hz(std::string_view text) { return number(in_option_unit(std::string(text), "HZ")); }
 
-std::vector<double> without_duplicates(std::vector<double> values) {
+std::vector<double> sorted_distinct(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
@@ -245,7 +245,7 @@ pipeline::AnalysisOptions analysis_options(const AnalysisFlags& flags) {
   options.delays = parse_delay(flags.delay);
   require_within_band(options.band_Hz, flags.start_Hz);
   options.modes = {
-      .effort = effort_of(flags.effort), .modes = flags.modes, .start_Hz = without_duplicates(flags.start_Hz)};
+      .effort = effort_of(flags.effort), .modes = flags.modes, .start_Hz = sorted_distinct(flags.start_Hz)};
   options.classes.overlay_dB = flags.overlay_dB;
   options.classes.object = object_kind_of(flags.object);
   options.threads = flags.threads;

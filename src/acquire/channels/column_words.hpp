@@ -24,7 +24,7 @@ bool is_one_of(const std::string& name, Words words);
 /// Whether the name, in lower case, contains one of the words.
 bool has_one_of(const std::string& name, Words words);
 
-/// Force or acceleration, by the words in a name, letter case aside; nothing without such a word.
+/// Force or acceleration, by the words in a name in any letter case; nothing without such a word.
 std::optional<Quantity> quantity_named(std::string_view name);
 
 /// Whether the name, in lower case, stands for a spectrum or correlation other than an FRF.

@@ -10,23 +10,23 @@
 
 namespace percuss::acquire {
 
-/// An FRF as the file's reader found it: stored numbers, nothing applied.
+/// An FRF with its numbers as the file stores them.
 struct StoredFrf {
   int point = 0;
   std::size_t channel = 0;
   std::vector<Complex> value;
-  std::vector<double> std, coherence;  // empty where the file has none
+  std::vector<double> std, coherence;  // empty if the file has none
   std::size_t averages = 0;            // 0: not stated
 };
 
 /// The content of a file of FRFs, before options are applied.
 struct StoredFrfs {
-  FrfRecord record;  // files, format, lines, notes, decay; accel by name with angle and position where stated
+  FrfRecord record;  // files, format, lines, notes, decay; accel by name with angle and position if stated
   std::vector<StoredFrf> frfs;
   std::optional<FrfUnit> unit;           // as the file states it; includes the kind
-  std::optional<FrfKind> kind;           // as the file states it; not used where `unit` is stated
-  std::optional<SpacingLimits> spacing;  // where the file states frequencies
-  std::string spacing_note;              // about these frequencies; not used where the user states the spacing
+  std::optional<FrfKind> kind;           // as the file states it; not used if `unit` is stated
+  std::optional<SpacingLimits> spacing;  // if the file states frequencies
+  std::string spacing_note;              // about these frequencies; not used if the user states the spacing
 
   /// Takes the lines of the file's frequencies, their limits and the note.
   void set_lines(FrequencyLines frequencies);

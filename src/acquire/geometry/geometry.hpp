@@ -52,7 +52,7 @@ const GeometryPoint* find_point(const Geometry& geometry, int point);
 
 /// Fills position, angle and radius of points whose coordinates lie in rings around an axis parallel to x, y or z
 /// through their mean. The position is the coordinate along the axis. The angle counts from the next axis (y for x, z
-/// for y, x for z) towards the one after. Changes nothing where they do not lie in rings.
+/// for y, x for z) towards the one after. Changes nothing if they do not lie in rings.
 void tube_from_coordinates(Geometry& geometry);
 
 /// Replaces all point numbers, also in the lines and faces. number(n) is the new number of point n; different points

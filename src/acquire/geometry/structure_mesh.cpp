@@ -32,8 +32,8 @@ Vector3d middle_of(MeshPoints points) {
 }
 std::array<double, 3> array_of(const Vector3d& v) { return {v[0], v[1], v[2]}; }
 
-// Axes along which the points lie, longest extent first. Coordinate axes where the points lie along them, so that a
-// plate in x and y keeps its rows; else the principal axes.
+// Axes along which the points lie, longest extent first. They are the coordinate axes if the points lie along these, so
+// that a plate in x and y keeps its rows; else the principal axes.
 struct MeshAxes {
   Vector3d middle = Vector3d::Zero();
   std::array<Vector3d, 3> axis;
@@ -102,7 +102,7 @@ std::vector<std::array<double, 2>> projected(MeshPoints points, const MeshAxes& 
   return out;
 }
 
-// Whether two points that are apart fall onto each other: the walls of a box, seen from above.
+// Whether the projection brings two distant points close together, as the walls of a box seen from above.
 bool folds(MeshPoints points, const std::vector<std::array<double, 2>>& plane) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t k = i + 1; k < points.size(); ++k) {
@@ -126,7 +126,8 @@ StructureMesh line_mesh(MeshPoints points, const MeshAxes& axes) {
   return mesh;
 }
 
-// Triangles between the directions from the middle, with all extents scaled to one: a long box is seen as a cube.
+// A closed surface of triangles between the directions of the points from the middle. All extents are scaled to one
+// first, so that a long box counts as a cube.
 StructureMesh surface_mesh(MeshPoints points, const MeshAxes& axes) {
   std::vector<std::array<double, 3>> directions;
   directions.reserve(points.size());

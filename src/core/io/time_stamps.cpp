@@ -66,7 +66,7 @@ bool has_even_times(const TimeStamps& row) {
   return range_s((low_s + high_s) / 2) <= (1 + kArithmetic) * row.resolution_s;
 }
 
-// Whether the stamps repeat, and never fall, as they do where the rate is slightly above one sample per unit. A few
+// Whether the stamps repeat, and never fall, as they do if the rate is slightly above one sample per unit. A few
 // repeated stamps may be repeated lines.
 bool repeats_regularly(const TimeStamps& row) {
   constexpr std::size_t kMinRepeated = 5;
@@ -202,7 +202,7 @@ std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows,
     problem.text = "time stamps that are not finite, or too close to each other";
     return std::nullopt;
   }
-  // Sums of doubles have rounding errors even where the digits are exact.
+  // Sums of doubles have rounding errors even if the digits are exact.
   rate.lowest_Hz *= 1 - 1e-12;
   rate.highest_Hz *= 1 + 1e-12;
   const double round_Hz = roundest_between(rate.lowest_Hz, rate.highest_Hz);
@@ -218,7 +218,7 @@ std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows,
 }
 
 std::vector<StampGap> gaps_of_stamps(const TimeStamps& row, std::optional<double> fs_Hz) {
-  constexpr double kMinUnits = 4;  // of the last digit, in a step
+  constexpr double kMinUnits = 4;  // the shortest step, in units of the last digit
   if (row.time_s.size() < 3) return {};
   const std::vector<double> steps = steps_of(row.time_s);
   const auto even_with = [&](const std::vector<StampGap>& gaps) {

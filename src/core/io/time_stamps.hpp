@@ -52,7 +52,7 @@ std::optional<StampedRate> rate_of_time_stamps(std::span<const TimeStamps> rows,
 /// unit. Empty if more than a tenth of the stamps is missing, or if the stamps are uneven in another way.
 std::vector<StampGap> gaps_of_stamps(const TimeStamps& row, std::optional<double> fs_Hz = {});
 
-/// The stamps with the missing ones, which divide each gap evenly. `gaps` ascend.
+/// The stamps, with the missing ones inserted so that they divide each gap evenly. `gaps` ascend.
 std::vector<double> with_missing_stamps(std::span<const double> time_s, const std::vector<StampGap>& gaps);
 
 /// The number with the fewest significant decimal digits in [low, high], 0 < low <= high.

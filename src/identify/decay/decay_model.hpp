@@ -9,8 +9,8 @@
 
 namespace percuss::identify {
 
-/// The width of a mode's window on either side of its frequency: the wider of the first two, at most the third. A group
-/// is fitted over the windows of its modes.
+/// The width of a mode's window on either side of its frequency: the larger of `half_power_bandwidths` and `lines`, at
+/// most `max_lines`. A group is fitted over the windows of its modes.
 struct DecayWindows {
   double half_power_bandwidths = 40;
   double lines = 60;
@@ -35,8 +35,8 @@ struct FittedDecay {
 };
 
 /// Decays fitted to spectra, group by group: modes whose windows overlap are fitted together, at most eight, and the
-/// other groups are subtracted. Groups take turns until the rates stand still. A group in which, and near which,
-/// nothing changed since its last fit is not fitted again.
+/// other groups are subtracted. The groups are fitted in turn until the rates no longer change. A group in which, and
+/// near which, nothing changed since its last fit is not fitted again.
 class DecayModel {
  public:
   explicit DecayModel(const DecaySpectra& measured) : measured_(&measured) {}
@@ -57,7 +57,7 @@ class DecayModel {
   DecaySpectra residual() const;
 
  private:
-  /// Fits a group. Returns whether the fit converged and the rates stood still.
+  /// Fits a group. Returns whether the fit converged without a change of the rates.
   bool fit_unsettled(const std::vector<std::size_t>& members, const DecayWindows& windows);
   void unsettle_near(const DecayRate& rate);
   bool is_settled(const std::vector<std::size_t>& members, DecayAccuracy accuracy) const;
@@ -71,7 +71,7 @@ class DecayModel {
   /// DecayGroup::line_std for these windows, which hold `lines` lines.
   Eigen::VectorXd line_std_of(const std::vector<std::pair<std::size_t, std::size_t>>& windows,
                               Eigen::Index lines) const;
-  /// Takes the results of a group's fit over.
+  /// Stores the results of a group's fit in its modes.
   void store(const DecayGroupFit& fitted, const std::vector<std::size_t>& members);
   /// The variance of the noise near a mode, relative to lines where line_std_ is 1.
   double variance_at(const DecayRate& rate) const;

@@ -17,16 +17,16 @@ constexpr DecayWindows kSearchWindows{
     .half_power_bandwidths = 8, .lines = 30, .max_lines = 1000, .accuracy = DecayAccuracy::rough};
 constexpr int kSearchSweeps = 1, kFinalSweeps = 30;
 constexpr double kPairApart = 0.5, kPairReach = 3;  // of a mode's decay rate
-constexpr double kPairLevel = 0.01;                 // energy of one of a pair over the other's: a weaker one is misfit
+constexpr double kPairLevel = 0.01;  // energy of a mode of a pair over the other's: below it, the weaker one is misfit
 constexpr int kPairSweeps = 3;
 constexpr double kScatterShare = 0.9;    // of the χ² that a second pole explains
-constexpr std::size_t kPairPlaces = 10;  // per mode, of decay_threshold()
+constexpr std::size_t kPairPlaces = 10;  // independent pairs per mode, for decay_threshold()
 constexpr double kStartDamping = 0.01;   // of the decays near stated frequencies
 // A decay within the bandwidth of a stronger one is misfit if the ratio of their energies is below this limit. In a
-// single spectrum, no amplitudes at other hits or channels distinguish a weak mode from a stronger one whose frequency
-// or damping changes while it decays. The misfit is about as wide as the mode: a peak far narrower is no misfit of a
-// broad background.
-constexpr double kMimics = 1e-3, kMimicsAlone = 0.1;
+// single spectrum the limit is higher: no amplitudes at other hits or channels distinguish a weak mode from a stronger
+// one whose frequency or damping changes while it decays. The misfit is about as wide as the mode: a peak far narrower
+// is no misfit of a broad background.
+constexpr double kMisfitEnergy = 1e-3, kMisfitEnergyAlone = 0.1;
 constexpr double kNarrowest = 0.1;    // decay rate of a misfit over the mode's
 constexpr double kFastestFit = 0.25;  // decay rate over the sampling rate: a faster decay is over in a few samples
 
@@ -62,14 +62,15 @@ bool may_be_misfit(const DecayRate& weak, const DecayRate& strong) {
 // Whether the fit of a decay ended at a rate that describes the end of the force, and no motion of the structure.
 bool ran_away(const DecayRate& rate, double fs_Hz) { return -rate.rate_radps.real() > kFastestFit * fs_Hz; }
 
-// The index of a decay to leave out; the number of decays where all stay.
-std::size_t unconfirmed(const DecayModel& model, const std::vector<double>& energy, double threshold, double mimics,
-                        double fs_Hz) {
+// The index of the first decay to leave out; the number of decays if all stay.
+std::size_t unconfirmed(const DecayModel& model, const std::vector<double>& energy, double threshold,
+                        double misfit_energy, double fs_Hz) {
   const auto& modes = model.modes();
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (!(energy[m] >= threshold) || ran_away(modes[m].rate, fs_Hz)) return m;
     for (std::size_t other = 0; other < modes.size(); ++other) {
-      if (other != m && energy[m] < mimics * energy[other] && may_be_misfit(modes[m].rate, modes[other].rate)) return m;
+      if (other != m && energy[m] < misfit_energy * energy[other] && may_be_misfit(modes[m].rate, modes[other].rate))
+        return m;
     }
   }
   return modes.size();
@@ -112,10 +113,10 @@ bool scatter_explains(const FittedDecay& alone, double gain, const DecaySpectra&
   return alone.hit_step.size() > 1 && gain_of_hits(alone, spectra, noise) > kScatterShare * gain;
 }
 
-// The model with one mode in place of the modes from m on that overlap each other, where the hits' scatter explains
-// them.
-std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_t m, const DecaySpectra& spectra,
-                                             const Eigen::MatrixXd& noise, const std::vector<double>& energy) {
+// The model with one mode in place of the modes from m on that overlap each other, if one mode whose frequency scatters
+// between the hits explains them.
+std::optional<DecayModel> with_one_scattered_mode(const DecayModel& model, std::size_t m, const DecaySpectra& spectra,
+                                                  const Eigen::MatrixXd& noise, const std::vector<double>& energy) {
   const auto& modes = model.modes();
   std::size_t last = m, strongest = m;
   while (last + 1 < modes.size() && overlap(modes[last].rate, modes[last + 1].rate)) {
@@ -134,11 +135,11 @@ std::optional<DecayModel> without_imitations(const DecayModel& model, std::size_
   return trial;
 }
 
-// The model with mode m split into two, half a half-power bandwidth apart at the start, where this lowers χ² by more
+// The model with mode m split into two, half a half-power bandwidth apart at the start, if this lowers χ² by more
 // than noise would. The search cannot find such a pair: one fitted mode leaves no clear peak of the other. But the
-// shapes of the two modes differ. Where frequencies that differ between the hits fit about as well, the mode stays one,
-// and `model` remembers the pair. `left`: χ² of the model's residual.
-std::optional<DecayModel> with_pair(DecayModel& model, std::size_t m, double left, const DecaySpectra& spectra,
+// shapes of the two modes differ. If one mode whose frequency differs between the hits fits about as well, nothing is
+// returned, and `model` stores the pair as an alternative. `residual_chi2` is χ² of the model's residual.
+std::optional<DecayModel> with_pair(DecayModel& model, std::size_t m, double residual_chi2, const DecaySpectra& spectra,
                                     const Eigen::MatrixXd& noise) {
   const Complex s = model.modes()[m].rate.rate_radps, apart(0, kPairApart * s.real());
   DecayModel trial = model;
@@ -146,7 +147,7 @@ std::optional<DecayModel> with_pair(DecayModel& model, std::size_t m, double lef
   trial.add({s - apart});
   trial.add({s + apart});
   trial.fit(kPairSweeps, kSearchWindows);
-  const double gain = left - chi2(trial.residual(), noise);
+  const double gain = residual_chi2 - chi2(trial.residual(), noise);
   const auto count = static_cast<std::size_t>(spectra.lines.cols());
   if (!(gain > decay_threshold(count + 1, kPairPlaces * model.modes().size()))) return std::nullopt;
   const bool scatters = scatter_explains(model.modes()[m], gain, spectra, noise);
@@ -154,7 +155,7 @@ std::optional<DecayModel> with_pair(DecayModel& model, std::size_t m, double lef
   for (std::size_t i = 0; i + 1 < energy.size(); ++i) {
     const bool pair = std::abs(trial.modes()[i].rate.rate_radps - s) < kPairReach * -s.real() &&
                       std::abs(trial.modes()[i + 1].rate.rate_radps - s) < kPairReach * -s.real();
-    const double least = std::max(kPairLevel, spectra.lines.cols() > 1 ? 0 : kMimicsAlone);
+    const double least = std::max(kPairLevel, spectra.lines.cols() > 1 ? 0 : kMisfitEnergyAlone);
     if (!pair || !(std::min(energy[i], energy[i + 1]) > least * std::max(energy[i], energy[i + 1]))) continue;
     if (!scatters) return trial;
     model.set_alternative_pair(m, frequencies_Hz(trial.modes()[i].rate, trial.modes()[i + 1].rate));
@@ -175,7 +176,7 @@ class FreeDecayFitter {
   FreeDecayFitter(const DecaySpectra& measured, const FreeDecayOptions& options)
       : measured_(measured),
         options_(options),
-        mimics_(measured.lines.cols() > 1 ? kMimics : kMimicsAlone),
+        misfit_energy_(measured.lines.cols() > 1 ? kMisfitEnergy : kMisfitEnergyAlone),
         rounding_(decay_rounding(measured)),
         model_(measured),
         limits_{.band_Hz = options.band_Hz, .refused = {}} {
@@ -189,7 +190,7 @@ class FreeDecayFitter {
       out_.complete = false;
       return result();
     }
-    if (options_.search && measured_.hits > 1) merge_imitations();
+    if (options_.search && measured_.hits > 1) merge_scattered_modes();
     model_.set_noise(out_.noise);
     if (options_.search) split_pairs();
     model_.fit(kFinalSweeps, {});
@@ -207,7 +208,7 @@ class FreeDecayFitter {
   }
 
   // The rough fits of a search refuse some decays that a full fit of the others reveals: the residual is searched
-  // again. False where the search ended at max_decays.
+  // again. False if the search ended at max_decays.
   bool search() {
     for (int round = 0; round < kMaxRounds; ++round) {
       const std::size_t before = model_.modes().size();
@@ -242,7 +243,7 @@ class FreeDecayFitter {
     for (;;) {
       out_.noise = decay_line_noise(model_.residual(), rounding_);
       out_.energy = energies(model_, measured_, out_.noise);
-      const std::size_t m = unconfirmed(model_, out_.energy, out_.threshold, mimics_, measured_.fs_Hz);
+      const std::size_t m = unconfirmed(model_, out_.energy, out_.threshold, misfit_energy_, measured_.fs_Hz);
       if (m == model_.modes().size()) return;
       limits_.refused.push_back(model_.modes()[m].rate);
       model_.remove(m);
@@ -250,19 +251,20 @@ class FreeDecayFitter {
     }
   }
 
-  void merge_imitations() {
+  void merge_scattered_modes() {
     for (std::size_t m = 0; m < model_.modes().size(); ++m) {
-      if (auto alone = without_imitations(model_, m, measured_, out_.noise, energies(model_, measured_, out_.noise)))
+      if (auto alone =
+              with_one_scattered_mode(model_, m, measured_, out_.noise, energies(model_, measured_, out_.noise)))
         model_ = std::move(*alone);
     }
   }
 
   void split_pairs() {
-    double left = chi2(model_.residual(), out_.noise);
+    double residual_chi2 = chi2(model_.residual(), out_.noise);
     for (std::size_t m = 0; m < model_.modes().size(); ++m) {
-      if (auto pair = with_pair(model_, m, left, measured_, out_.noise)) {
+      if (auto pair = with_pair(model_, m, residual_chi2, measured_, out_.noise)) {
         model_ = std::move(*pair);
-        left = chi2(model_.residual(), out_.noise);
+        residual_chi2 = chi2(model_.residual(), out_.noise);
         ++m;
       }
     }
@@ -276,7 +278,7 @@ class FreeDecayFitter {
 
   const DecaySpectra& measured_;
   const FreeDecayOptions& options_;
-  const double mimics_;
+  const double misfit_energy_;
   const Eigen::VectorXd rounding_;
   DecayModel model_;
   DecaySearchLimits limits_;

@@ -94,7 +94,7 @@ double common_to_channels(const VariableProjection& projection, const ProjectedS
   return apart > 0 ? std::max(1.0, together / apart) : 1;
 }
 
-// [2 modes] standard deviations for the residual's covariance; 0 where the residual is as white as noise.
+// [2 modes] standard deviations for the residual's covariance; 0 if the residual is as white as noise.
 VectorXd smooth_misfit_std(const VariableProjection& projection, const ProjectedState& state, const VectorXd& noise,
                            double used) {
   const Index n = state.parts.front().slopes.cols();

@@ -36,7 +36,7 @@ Complex amplitude_in(std::span<const double> x, const Segment& segment, const st
 std::vector<Complex> amplitudes_of(std::span<const ToneSignal> signals, const std::vector<double>& window,
                                    double turns_per_sample);
 
-/// Frequency, in turns per sample, from the phase advance between the segments, over all signals; 0 where the power
+/// Frequency, in turns per sample, from the phase advance between the segments, over all signals; 0 if the power
 /// changes. theory (1.10)
 double refined_turns_per_sample(std::span<const ToneSignal> signals, const std::vector<double>& window,
                                 double turns_per_sample);

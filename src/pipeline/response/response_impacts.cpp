@@ -18,8 +18,8 @@ constexpr double kAboveQuiet = 30;                             // times the 20 %
 constexpr std::size_t kMinHistoryBlocks = 5;                   // longer blocks in the history before a rise
 constexpr std::size_t kBlockFactor = 4, kMaxBlockFactor = 16;  // blocks in a longer block: 4, then 16
 constexpr double kMinMeanRate_Hz = 5000;                       // of the means whose differences are taken
-constexpr double kMinClarityGain =
-    2;  // factor by which a longer mean must raise the ratio of the largest to the quiet power
+// Factor by which a longer mean must raise the ratio of the largest to the quiet power.
+constexpr double kMinClarityGain = 2;
 constexpr double kAtStart = 0.5;  // of the strongest block's power: a blow within the first 20 ms of a row
 constexpr std::size_t kNoiseBlocks = 20;
 constexpr double kAboveNoise = 1.5;   // times the largest value in these blocks before the rise
@@ -42,8 +42,8 @@ Blocks blocks_at(double fs_Hz) {
           .contact = std::max<std::size_t>(1, whole(kContact_s))};
 }
 
-// Blocks `times` as long; the power of noise hardly varies between them. The history before a rise has five of them or
-// more: longer than a beat of two modes takes to rise tenfold.
+// Blocks that are `times` times as long: the power of noise hardly varies between them. The history before a rise has
+// at least five of them, which is longer than the time in which a beat of two modes rises tenfold.
 Blocks longer_blocks(const Blocks& blocks, std::size_t times) {
   return {.samples = blocks.samples * times,
           .history = std::max(kMinHistoryBlocks, blocks.history / times),
@@ -51,7 +51,7 @@ Blocks longer_blocks(const Blocks& blocks, std::size_t times) {
           .above_quiet = kRise};
 }
 
-// The mean of `length` samples from n on minus the mean of as many before n; 0 where there are not enough samples.
+// The mean of `length` samples from n on minus the mean of as many before n; 0 if there are not enough samples.
 Signals differences(const Signals& x, std::size_t length) {
   Signals out(x.size());
   for (std::size_t c = 0; c < x.size(); ++c) {
@@ -172,6 +172,38 @@ std::size_t onset_in(const Signals& x, std::size_t block_index, const Blocks& bl
   return onset < last ? onset : block_index * block;
 }
 
+// The impacts in the samples `x` of a row, ascending, without their ends; indices count from the beginning of `x`.
+std::vector<ResponseImpact> impacts_in(const Signals& x, std::size_t row, const Blocks& blocks, double fs_Hz) {
+  std::vector<ResponseImpact> found;
+  const auto find_in = [&](const Signals& signals, const Blocks& of) {
+    for (const std::size_t b : rising_blocks(block_power(signals, of.samples), of)) {
+      const std::size_t first = onset_in(signals, b, of);
+      const bool known = std::any_of(found.begin(), found.end(), [&](const ResponseImpact& one) {
+        return std::max(one.first, first) - std::min(one.first, first) <= (of.history + 2) * of.samples;
+      });
+      if (!known) found.push_back({.row = row, .first = first});
+    }
+  };
+  // A blow excites all frequencies, so the differences of the samples show it even during slow motion. If they show no
+  // blow, the samples themselves are searched: the blow may excite only a slow mode, whose differences lie below the
+  // noise although its samples exceed it.
+  const Signals clearest = clearest_differences(x, blocks, fs_Hz);
+  find_in(clearest, blocks);
+  if (found.empty()) find_in(centred(x), blocks);
+  // A weak blow in noise shows only in the mean power over a longer time.
+  for (std::size_t times = kBlockFactor; times <= kMaxBlockFactor; times *= kBlockFactor)
+    find_in(clearest, longer_blocks(blocks, times));
+  std::sort(found.begin(), found.end(),
+            [](const ResponseImpact& a, const ResponseImpact& b) { return a.first < b.first; });
+  const bool moves =
+      std::any_of(x.begin(), x.end(), [](const auto& one) { return extremes_of(one).high > extremes_of(one).low; });
+  if (found.empty() && moves) {
+    const bool quiet = is_quiet(clearest, blocks.samples * kMaxBlockFactor);
+    found.push_back({.row = row, .first = 0, .whole_pulse = false, .quiet = quiet});
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<ResponseImpact> response_impacts(const acquire::Record& record, const acquire::HitOptions& options) {
@@ -183,33 +215,7 @@ std::vector<ResponseImpact> response_impacts(const acquire::Record& record, cons
     if (samples < 4 * blocks.samples) continue;
     Signals x(record.accel.size(), std::vector<double>(samples));
     for (std::size_t c = 0; c < x.size(); ++c) record.read_accel_mps2(row, c, range.first, x[c]);
-    std::vector<ResponseImpact> found;
-    const auto find_in = [&](const Signals& signals, const Blocks& of) {
-      for (const std::size_t b : rising_blocks(block_power(signals, of.samples), of)) {
-        const std::size_t first = onset_in(signals, b, of);
-        const bool known = std::any_of(found.begin(), found.end(), [&](const ResponseImpact& one) {
-          return std::max(one.first, first) - std::min(one.first, first) <= (of.history + 2) * of.samples;
-        });
-        if (!known) found.push_back({.row = row, .first = first});
-      }
-    };
-    // A blow excites all frequencies, so the differences of the samples show it even during slow motion. If they show
-    // no blow, the samples themselves are searched: the blow may excite only a slow mode, whose differences lie below
-    // the noise although its samples exceed it.
-    const Signals clearest = clearest_differences(x, blocks, record.fs_Hz);
-    find_in(clearest, blocks);
-    if (found.empty()) find_in(centred(x), blocks);
-    // A weak blow in noise shows only in the mean power over a longer time.
-    for (std::size_t times = kBlockFactor; times <= kMaxBlockFactor; times *= kBlockFactor)
-      find_in(clearest, longer_blocks(blocks, times));
-    std::sort(found.begin(), found.end(),
-              [](const ResponseImpact& a, const ResponseImpact& b) { return a.first < b.first; });
-    const bool moves =
-        std::any_of(x.begin(), x.end(), [](const auto& one) { return extremes_of(one).high > extremes_of(one).low; });
-    if (found.empty() && moves) {
-      const bool quiet = is_quiet(clearest, blocks.samples * kMaxBlockFactor);
-      found.push_back({.row = row, .first = 0, .whole_pulse = false, .quiet = quiet});
-    }
+    std::vector<ResponseImpact> found = impacts_in(x, row, blocks, record.fs_Hz);
     for (std::size_t i = 0; i < found.size(); ++i) {
       found[i].end = i + 1 < found.size() ? found[i + 1].first - std::min(found[i + 1].first, blocks.samples) : samples;
       found[i].first += range.first;

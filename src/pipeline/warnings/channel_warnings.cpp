@@ -15,7 +15,7 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr std::size_t kMinQuiet = 64;  // samples before a hit: they determine the noise to a tenth
+constexpr std::size_t kMinQuiet = 64;  // samples before a hit, which determine its noise to a tenth
 constexpr std::size_t kMinPoints = 3;  // of a survey that shows what is usual
 constexpr double kClearHeight = 30;    // standard deviations of the noise, which a clear response reaches
 constexpr double kNoiseExtreme = 6;    // the same, which noise does not reach: a million samples of white noise reach 5
@@ -48,7 +48,7 @@ double coarsest_step(const std::vector<AnalysedHit>& hits, std::size_t channel) 
   return step;
 }
 
-// The largest distance of a response from its level before the hit, over the noise there. Nothing where too few samples
+// The largest distance of a response from its level before the hit, over the noise there. Nothing if too few samples
 // before the hit determine the noise.
 std::optional<double> height_over_noise(const HitResponses& responses, std::size_t hit, std::size_t channel) {
   if (channel >= responses.of[hit].size()) return std::nullopt;

@@ -9,7 +9,7 @@ namespace percuss::report {
 /// Packs sequences of integers that change little from one to the next, such as quantised curves, with a Rice code:
 /// a sequence is 4 bits k, then per value the zigzag z of its difference from the value before (from 0 for the first),
 ///   z = 2d for d ≥ 0, −2d − 1 for d < 0;  ⌊z/2^k⌋ ones, a zero, the k low bits of z
-/// or, where that needs 20 ones or more, 20 ones and z in 24 bits. k gives the shortest sequence. Bits fill bytes from
+/// or, if that needs 20 ones or more, 20 ones and z in 24 bits. k gives the shortest sequence. Bits fill bytes from
 /// the highest bit down. Values are below 2²² in magnitude.
 class RiceCode {
  public:

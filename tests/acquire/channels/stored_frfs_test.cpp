@@ -42,7 +42,7 @@ TEST(StoredFrfs, TurnsEveryKindIntoAnAccelerance) {
   EXPECT_EQ(line(receptance, 0, 0), Complex(0, 0));
 }
 
-// 0.333, 0.667 and 1.0: between 0.33325 and 0.3335 Hz apart.
+// The frequencies 0.333, 0.667 and 1.0 permit a spacing from 0.33325 to 0.3335 Hz.
 TEST(StoredFrfs, TakesAStatedSpacingWithinTheRoundingOfTheFrequencies) {
   StoredFrfs frfs = stored();
   frfs.set_lines(frequency_lines({0.333, 0.667, 1}, 1, "x.csv"));

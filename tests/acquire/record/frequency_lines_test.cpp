@@ -45,8 +45,8 @@ TEST(FrequencyLines, FindsARoundSpacingOfRoundedFrequencies) {
   EXPECT_LE(error_of(0.390625, 0, 4096, "{:.6g}"), kDoubles);
 }
 
-// The digits of these spacings are many. Those of the record's length (3 s), the last frequency (1600 Hz) and the
-// sampling rate (44100 Hz = 65536 spacings) are few.
+// These spacings have many digits. The record's length (3 s), the last frequency (1600 Hz) and the sampling rate
+// (44100 Hz = 65536 spacings) have few.
 TEST(FrequencyLines, FindsASpacingThatIsRoundInAnotherForm) {
   EXPECT_LE(error_of(1.0 / 3, 0, 2000, "{:.3f}"), kDoubles);
   EXPECT_LE(error_of(1600.0 / 2047, 0, 2048, "{:.3f}"), kDoubles);
@@ -67,7 +67,8 @@ TEST(FrequencyLines, FindsARoundSpacingInHzOrInTheUnitOfTheFile) {
   EXPECT_NEAR(spacing_Hz(0.125, 1 / 60.0), 0.125 / 60, 0.002 * kDoubles);
 }
 
-// 0.618034 Hz, the roundest spacing within the limits, has as many digits as a random number there needs.
+// The roundest spacing within the limits is 0.618034 Hz. It has as many digits as limits around a random number need,
+// so it is not taken for the true one.
 TEST(FrequencyLines, TakesTheMiddleOfTheLimitsWithoutARoundSpacing) {
   constexpr double kSpacing_Hz = 0.61803398875;
   const FrequencyLines found = frequency_lines(written(kSpacing_Hz, 0, 300, "{:.2f}"), 1, "x");
@@ -82,7 +83,7 @@ TEST(FrequencyLines, NotesARoundedSpacing) {
   EXPECT_THAT(frequency_lines(written(0.3125, 0, 4097, "{:.2f}"), 1, "x").note, IsEmpty());
 }
 
-// Their spacing is the last frequency divided by its number, to the last bit.
+// The spacing of such frequencies is the last frequency divided by its number, to the last bit.
 TEST(FrequencyLines, KeepsFrequenciesThatAreNotRounded) {
   for (const double df_Hz : {0.5, 1.0 / 3, 0.61803398875, 3.0}) {
     std::vector<double> numbers;

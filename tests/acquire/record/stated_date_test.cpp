@@ -41,7 +41,7 @@ TEST(StatedDate, IsThatOfTheTest) {
     EXPECT_EQ(stated_date(other), "") << other;
 }
 
-// The header states when the file was written: of an old test that was exported today, today.
+// The header states when the file was written. An old test may have been exported today.
 TEST(StatedDate, IsNotInTheHeaderOfAMatFile) {
   EXPECT_EQ(stated_date("MATLAB 5.0 MAT-file, Platform: GLNXA64, Created on: Fri Nov 20 14:03:22 2026      "), "");
 }

@@ -88,7 +88,7 @@ TEST_F(InfoCommand, ListsTheColumnsOfUnknownChannels) {
   EXPECT_EQ(document["files"][0]["columns"][2]["unit"], "V");
 }
 
-// Scopes write mV. What is missing is stated beside what the file holds; an analysis still refuses.
+// Scopes write mV. info lists the columns and states that the sensitivity is missing; analyze refuses the file.
 TEST_F(InfoCommand, ListsTheColumnsOfVoltsWithoutASensitivity) {
   test::write_bytes(file("scope.csv"), "Zeit (s);Hammer (mV);Beschl. (mV)\n0,0;1,5;2\n0,1;3;4\n0,2;5;6\n");
   auto outcome = run({file("scope.csv")});

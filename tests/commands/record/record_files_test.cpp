@@ -98,8 +98,8 @@ TEST(RecordFiles, SayHowToGoOnWhenTheDiskIsFull) {
   EXPECT_EQ(bench.marks().size(), 5U);
 }
 
-// The disk is full from the second blow to the fourth, at four times real time: the file is that of a session with
-// enough room.
+// The disk is full from the second blow to the fourth, at four times real time. The file equals the file of a session
+// with enough room.
 TEST(RecordFiles, LoseNothingWhileTheDiskIsFull) {
   const std::string record = "percuss record -o t.h5 --device sim:aluminium-bat,speed=4,end=12";
   const Bench whole, bench;

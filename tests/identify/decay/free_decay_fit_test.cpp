@@ -53,7 +53,7 @@ DecayResults found_in(double noise, unsigned seed) {
   return modes_of_decays(fit_free_decays(decays(noise, seed), {.band_Hz = kBand_Hz}), kChannels, kBand_Hz);
 }
 
-// A search without end would take minutes where the record holds something else than decays.
+// A search without end would take minutes if the record holds anything but decays.
 TEST(FreeDecays, AreIncompleteBeyondTheLimit) {
   EXPECT_TRUE(fit_free_decays(decays(0.01, 1), {.band_Hz = kBand_Hz, .max_decays = 5}).complete);
   EXPECT_FALSE(fit_free_decays(decays(0.01, 1), {.band_Hz = kBand_Hz, .max_decays = 2}).complete);
@@ -95,8 +95,8 @@ TEST(FreeDecays, KeepANarrowModeOnABroadBackground) {
 }
 
 // 31 modes over five octaves, two of them half a bandwidth apart, and three that hold far more energy than the others.
-// The first, rough fits of a search refuse some modes, which must be found again later. Without that, one record in six
-// lost a mode of a thousand times the search's threshold, and the other modes of its group had too large a standard
+// The first, rough fits of a search refuse some modes, which must be found again later. Otherwise, one record in six
+// loses a mode of a thousand times the search's threshold, and the other modes of its group have too large a standard
 // deviation.
 TEST(FreeDecays, AreAllFoundAmongMany) {
   constexpr double kRate_Hz = 16000, kNoise = 1e-3;
@@ -191,8 +191,8 @@ TEST(FreeDecays, ReachTheCramerRaoBoundWithTrueStandardDeviations) {
   EXPECT_LE(other_counts, 1U);  // a false decay is expected once in 1000 searches
   const double count = kSeeds - static_cast<double>(other_counts);
   for (std::size_t u = 0; u < of_bound.size(); ++u) {
-    // 60 seeds give an RMS to 9 % and a mean to 0.13 standard deviations. The first two
-    // tolerances are four times as large; the stated standard deviations vary less.
+    // 60 seeds give an RMS to 9 % and a mean to 0.13 standard deviations. The first two tolerances are four times as
+    // large; the stated standard deviations vary less.
     EXPECT_NEAR(std::sqrt(of_bound[u] / count), 1, 0.37) << u;
     EXPECT_NEAR(sum[u] / count, 0, 0.52) << u;
     EXPECT_NEAR(std::sqrt(stated[u] / count), 1, 0.1) << u;

@@ -39,9 +39,9 @@ std::vector<double> equal(std::size_t points) {
   return ones;
 }
 
-// The mean of n frequencies whose squared deviations have the sum S has the variance S/(n (n − 1)). The points weigh
-// alike. The noise gives the frequency of a point a standard deviation of 1.4 mHz; the RMS of the deviations is 48
-// times as large. The pole update is linear in each deviation up to terms of (0.1 Hz/7 Hz)²; 7 Hz is the half-power
+// The mean of n frequencies whose squared deviations have the sum S has the variance S/(n (n − 1)). The points have
+// equal weights. The noise gives the frequency of a point a standard deviation of 1.4 mHz; the RMS of the deviations is
+// 48 times as large. The pole update is linear in each deviation up to terms of (0.1 Hz/7 Hz)²; 7 Hz is the half-power
 // bandwidth.
 TEST(PointScatter, IsTheStandardDeviationOfTheMeanOfThePoints) {
   const std::vector<double> off_Hz{0.1, -0.1, 0.05, -0.05, 0.08, -0.08, 0.02, -0.02};

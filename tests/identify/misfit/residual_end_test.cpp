@@ -9,7 +9,7 @@
 
 namespace percuss::identify::residual_end_test {
 
-// Modes between 100 and 743 Hz; another mode at 1040 Hz, or at 20 Hz.
+// Modes from 120 to 743 Hz, and a stronger one at other_Hz.
 FrfDataset set_between(double low_Hz, double high_Hz, double other_Hz) {
   FrfDataset set = test::empty_set(4096, 8192, low_Hz, high_Hz, 2);
   for (std::size_t o = 0; o < 2; ++o) {

@@ -13,8 +13,8 @@ constexpr std::size_t kPoints = 10;
 constexpr double kNoise = 1e-3;  // the peaks are 50 times the shape
 constexpr Pole kMode{.freq_Hz = 200, .damping_ratio = 0.01}, kBeside{.freq_Hz = 202, .damping_ratio = 0.01};
 
-// One mode found, whose frequency scatters by 0.1 Hz. Of its residual, a fit of both poles leaves 0.4, so that the
-// scatter could explain them.
+// One mode was found before; its frequency scatters by 0.1 Hz. A fit of both poles leaves 0.4 of the energy of its
+// residual, so that the scatter could explain both poles.
 std::vector<std::size_t> partners(double share) {
   FrfDataset set = test::empty_set(4096, 8192, 100, 500, kPoints);
   set.points.resize(kPoints);
@@ -35,9 +35,9 @@ std::vector<std::size_t> partners(double share) {
   known.count = set.lines.nearest(220) - known.first;
   known.noise.resize(static_cast<Eigen::Index>(kPoints));
   for (std::size_t o = 0; o < kPoints; ++o) {
-    const auto left =
+    const auto residual =
         fit.residual[o].segment(static_cast<Eigen::Index>(known.first), static_cast<Eigen::Index>(known.count));
-    known.noise(static_cast<Eigen::Index>(o)) = left.norm() / std::sqrt(0.4 * static_cast<double>(known.count));
+    known.noise(static_cast<Eigen::Index>(o)) = residual.norm() / std::sqrt(0.4 * static_cast<double>(known.count));
   }
   return scatter_partners(set, {known}, fit);
 }

@@ -57,7 +57,7 @@ TEST(Association, UsesMidranksForTies) {
 }
 
 TEST(Association, IgnoresDifferencesBetweenClasses) {
-  // Each class falls, the classes rise.
+  // y falls with x within each class, and rises from class to class.
   const ClassPoints low{{1, 2, 3, 4}, {4, 3, 2, 1}}, high{{11, 12, 13, 14}, {14, 13, 12, 11}};
   const auto a = association_of({low, high});
   EXPECT_NEAR(a->pearson.value, -1, kRounding);

@@ -109,7 +109,7 @@ TEST(StudyDocuments, RejectDocumentsOfOtherShapes) {
   EXPECT_THAT(error(R"({"schema": 3})"), HasSubstr("not text (doc, schema)"));
 }
 
-// Also when its id repeats or is missing.
+// A cycle is a state even if its id repeats or is missing.
 TEST(StudyDocuments, TakeEachCycleAsAState) {
   const auto same =
       states_in_document(R"({"schema": "percuss/abi/1", "bat": "A", "cycles": [{"id": "A"}, {"id": "A"}, 3]})", "d");

@@ -32,7 +32,7 @@ bool is_within(const std::vector<MeasuredCor>& measured, double a, double b) {
   return true;
 }
 
-// The criterion of the source, tried on both sides of each limit.
+// Checks the criterion of the source just within and just beyond each limit.
 TEST(ExponentFamily, HoldsThePairsWithinEveryDeviation) {
   const auto measured = test::ccor_points(0.004);
   const ExponentFit fit = fit_exponents(baseball_on_barrel(), measured);

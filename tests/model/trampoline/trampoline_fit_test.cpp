@@ -108,7 +108,7 @@ TEST(TrampolineFit, SaysThatThePairIsNotDetermined) {
   EXPECT_TRUE(fit_exponents(baseball_on_barrel(), with_std(exact(), 1e-4)).determined);
 }
 
-// Where the model is linear within the standard deviations, the pairs with chi2 + 1 span ± one standard deviation.
+// If the model is linear within the standard deviations, the pairs with chi2 + 1 span ± one standard deviation.
 TEST(TrampolineFit, HasAContourThatSpansTheStandardDeviations) {
   const ExponentFit fit = fit_exponents(baseball_on_barrel(), with_std(exact(), 2e-5));
   constexpr double kStepError = 0.03;  // eight steps over half the contour miss its extremes by up to 2 %

@@ -19,7 +19,7 @@ struct Harmonic {
 };
 const std::vector<Harmonic> kHarmonics{{1, 3}, {2, 0.5}, {3, 1}, {5, 0.5}, {6, 0.4}};
 
-// The phase of a harmonic beside the steady one, in turns.
+// The deviation of a harmonic's phase from a steady one, in turns.
 using Wander = std::function<double(double order, std::size_t n)>;
 
 // Five hits with hum, and with modes at 120 and 310 Hz that still ring when the samples end: each is near a harmonic.

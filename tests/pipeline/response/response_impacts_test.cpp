@@ -101,8 +101,8 @@ TEST(ResponseImpacts, FindsSoftTapsInWhiteNoiseAtAHighRate) {
   }
 }
 
-// A tap whose first motion does not stand out of the noise, but whose ringing does. A tap that is missed within the
-// decay of another one makes the fit a comb of false modes.
+// A tap whose first motion does not stand out of the noise, but whose ringing does. If a tap within the decay of
+// another one is missed, the fit finds a comb of false modes.
 TEST(ResponseImpacts, FindsWeakTapsInNoise) {
   constexpr double kPhone_Hz = 44100;
   constexpr std::size_t kLead = 30000, kEach = 60000;

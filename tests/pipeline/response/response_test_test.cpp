@@ -150,7 +150,7 @@ TEST(ResponseTest, ObeysTheUser) {
   EXPECT_EQ(analyse_responses(rows(1), options).found.modes.size(), 1U);
 }
 
-// Modes beyond the band are as strong as those within it: their skirts are no noise.
+// Modes beyond the band are as strong as those within it. Their flanks must not count as noise.
 TEST(ResponseTest, FindsNoFalseModesBesideStrongOnesBeyondTheBand) {
   const std::vector<double> freqs_Hz{30, 167, 197.3, 365.1, 573.6, 797.8, 1103.9, 1224.5, 1782.1, 1972.2, 2389};
   constexpr std::pair<double, double> kBand_Hz{100, 700};
@@ -196,8 +196,8 @@ TEST(ResponseTest, EndsWhenItsBudgetIsSpent) {
   EXPECT_THROW(analyse_responses(rows(1), options), BudgetSpent);
 }
 
-// In one spectrum, nothing tells a weak close mode from a frequency that changes while the amplitude decays. Here the
-// frequency rises by a quarter of the half-power bandwidth from the first sample to the last.
+// In one spectrum, nothing distinguishes a weak close mode from a frequency that changes while the amplitude decays.
+// Here the frequency rises by a quarter of the half-power bandwidth from the first sample to the last.
 TEST(ResponseTest, TakesAFrequencyThatChangesDuringTheDecayForOneMode) {
   constexpr double kFreq_Hz = 400, kDamping = 0.003, kRise = 0.25 * 2 * kDamping, kNoise = 0.01;
   const double decay_per_s = kTwoPi * kFreq_Hz * kDamping;
@@ -216,8 +216,8 @@ TEST(ResponseTest, TakesAFrequencyThatChangesDuringTheDecayForOneMode) {
   const ResponseTest test = analyse_responses(test::response_record(kFs_Hz, {{x}}, 0, true), {});
   ASSERT_EQ(test.found.modes.size(), 1U);
   const identify::Mode& mode = test.found.modes[0].mode;
-  // The part of the noise is estimated from the residual, which is nearly all misfit here: it is too large, and the
-  // part of the misfit is of the same size.
+  // The part "noise" of the ± is estimated from the residual, which is nearly all misfit here. This part is therefore
+  // too large, and the part "misfit" is of the same size.
   EXPECT_GT(mode.freq_std_parts_Hz.misfit, 0.5 * mode.freq_std_parts_Hz.noise);
   // In the range of the frequency, or as near to it as its own ± says: rounding decides which of two fits is kept.
   constexpr double kMiddle_Hz = kFreq_Hz * (1 + kRise / 2), kHalf_Hz = kFreq_Hz * kRise / 2;

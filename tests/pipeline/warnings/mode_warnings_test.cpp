@@ -76,8 +76,8 @@ TEST(LocalFitWarnings, CountTheModesThatTheJointFitDescribesFarWorse) {
               HasSubstr("around 2 of 3 modes, all modes together leave at least ten times the residual energy"));
 }
 
-// Two modes at ten points of three hits each, in the order of the points. The frequency at each point is that of
-// `change`, relative to the mode's, at the mean number of the point's hits.
+// Two modes at ten points of three hits each, in the order of the points. At each point, the frequency of a mode
+// changes by the fraction change(h), with h the mean number of the point's hits.
 struct ScatteringTest {
   std::vector<identify::Mode> modes;
   std::vector<AnalysedHit> hits;

@@ -20,8 +20,8 @@ using testing::StartsWith;
 
 constexpr std::size_t kPoints = 12, kHitsPerPoint = 3;
 
-// A survey by hand: the forces of the hits differ by a factor of 8. The responses per newton differ by a factor of 6
-// between the points.
+// A survey with a hammer held by hand: the forces of the hits differ by a factor of 8. The responses per newton differ
+// by a factor of 6 between the points.
 struct GradedTest {
   acquire::Record record;
   std::vector<AnalysedHit> hits;
@@ -81,7 +81,7 @@ TEST(PointForceWarnings, NameTheFileWhoseForceIsInAnotherUnit) {
   EXPECT_EQ(severity_of("units_differ"), acquire::Severity::reject);
 }
 
-// 22.5 mV/N not stated at a few points: V in place of N.
+// A sensitivity of 22.5 mV/N is not stated at a few points: their force is in V, not in N.
 TEST(PointForceWarnings, NameAMissingSensitivity) {
   GradedTest test = survey();
   for (const int point : {2, 3, 9}) test.scale(point, 0.0225, 1);
@@ -119,7 +119,7 @@ TEST(PointForceWarnings, CallHitsWeakWhoseResponsesAreWeakToo) {
   EXPECT_THAT(warnings_of(harder), IsEmpty());
 }
 
-// lbf for N. A soft blow at a place that moves much looks the same.
+// A force in lbf in place of N looks like a soft blow at a place that moves much.
 TEST(PointForceWarnings, CannotTellASmallFactorFromSoftBlows) {
   GradedTest test = survey();
   test.scale(5, 1 / 4.448, 1);
@@ -170,7 +170,7 @@ std::vector<identify::Mode> beam_modes(int point, double force, double std = 1e-
   return modes;
 }
 
-// The survey whose hits at one point have this factor of force and of pulse length.
+// The survey with the forces, the responses and the pulse lengths at one point multiplied by these factors.
 GradedTest survey_of_force(int point, double force, double response, double pulse) {
   GradedTest test = survey();
   for (AnalysedHit& hit : test.hits) hit.hit.pulse_s = hit.point == point ? pulse * kPulse_s : kPulse_s;

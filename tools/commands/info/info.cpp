@@ -35,7 +35,7 @@ struct InfoFlags {
   bool example = false;
 };
 
-/// Totals over the rows of a record.
+/// Samples, points and runs of a record, over all rows.
 struct Extent {
   std::size_t samples = 0, shortest = 0, longest = 0, points = 0, runs = 0;
 };
@@ -95,7 +95,8 @@ Json record_json(const acquire::Record& record, const RecordSamples& samples) {
           {"notes", notes}};
 }
 
-std::string record_text(const acquire::Record& record, const RecordSamples& samples, std::size_t width, bool pictures) {
+// Format, rows and rate of a record, in one line.
+std::string heading_of(const acquire::Record& record, const RecordSamples& samples) {
   const Extent extent = extent_of(record);
   std::string rows = report::counted(record.rows.size(), "row") + " of " + report::counted(extent.longest, "sample");
   if (extent.shortest != extent.longest)
@@ -107,7 +108,10 @@ std::string record_text(const acquire::Record& record, const RecordSamples& samp
   if (samples.hits) text += fmt::format(", {}", report::counted(*samples.hits, "hit"));
   if (extent.points > 1) text += fmt::format(", {}", report::counted(extent.points, "point"));
   if (extent.runs > 1) text += fmt::format(", {}", report::counted(extent.runs, "run"));
-  text += '\n';
+  return text + '\n';
+}
+
+std::string channel_table(const RecordSamples& samples, std::size_t width) {
   using Align = report::TextTable::Align;
   report::TextTable table({{"  role"},
                            {"name"},
@@ -130,7 +134,11 @@ std::string record_text(const acquire::Record& record, const RecordSamples& samp
                : shown->hammer           ? "hammer"
                                          : "response"});
   }
-  text += table.text(width);
+  return table.text(width);
+}
+
+std::string record_text(const acquire::Record& record, const RecordSamples& samples, std::size_t width, bool pictures) {
+  std::string text = heading_of(record, samples) + channel_table(samples, width);
   for (const Channel& channel : samples.channels) {
     if (pictures && channel.samples)
       text += fmt::format("  {:<14}{}\n", channel.role, picture_of(channel.samples->envelope));
@@ -149,7 +157,7 @@ bool uses_all_signals(const acquire::Record& record, const acquire::RoleGuess& g
   return record.accel.size() >= guess.accel.size() + (guess.force.empty() ? 0 : 1);
 }
 
-// Opens a file as analyze does, which accepts records without a force. Where another column may be the force, it throws
+// Opens a file as analyze does, which accepts records without a force. If another column may be the force, it throws
 // AmbiguousColumns: the list of columns tells the user more.
 std::variant<acquire::Record, acquire::FrfRecord> opened_at(const ReadFlags& read, const acquire::ReadOptions& options,
                                                             std::size_t index) {

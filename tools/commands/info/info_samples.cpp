@@ -52,14 +52,14 @@ ChannelSamples summary_of(const std::vector<double>& samples) {
 }
 
 // A light structure moves like the force during the pulse. So a response counts as a hammer only if the force does not
-// look like one and the response's measure is within kMaxDissimilarityRatio times the smallest.
+// look like one, and if the response's dissimilarity is at most kMaxDissimilarityRatio times the smallest.
 void find_hammers(const acquire::Record& record, std::vector<Channel>& channels) {
   double smallest = 1;
   for (const Channel& channel : channels) smallest = std::min(smallest, channel.samples->hammer_dissimilarity);
   for (Channel& channel : channels) {
-    const double measure = channel.samples->hammer_dissimilarity;
+    const double dissimilarity = channel.samples->hammer_dissimilarity;
     channel.samples->hammer =
-        measure < acquire::kMaxHammerDissimilarity && measure <= acquire::kMaxDissimilarityRatio * smallest;
+        dissimilarity < acquire::kMaxHammerDissimilarity && dissimilarity <= acquire::kMaxDissimilarityRatio * smallest;
   }
   if (!record.has_force || !channels.front().samples->hammer) return;
   for (std::size_t c = 1; c < channels.size(); ++c) channels[c].samples->hammer = false;

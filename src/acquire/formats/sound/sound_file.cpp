@@ -65,22 +65,22 @@ struct SoundInput::Impl {
 };
 
 SoundInput::SoundInput(const std::string& path) : impl_(std::make_unique<Impl>()) {
-  Impl& i = *impl_;
-  i.path = path;
+  Impl& impl = *impl_;
+  impl.path = path;
   // The library accepts other formats on weak evidence, so the signature is checked first.
-  if (!is_sound(first_bytes(path, 64))) i.fail("not a WAV, RF64 or W64 file");
-  i.file.reset(sf_open(path.c_str(), SFM_READ, &i.info));
-  if (i.file == nullptr) i.fail(std::string("damaged: ") + sf_strerror(nullptr));
-  const std::size_t bytes = sample_bytes(i.info.format);
+  if (!is_sound(first_bytes(path, 64))) impl.fail("not a WAV, RF64 or W64 file");
+  impl.file.reset(sf_open(path.c_str(), SFM_READ, &impl.info));
+  if (impl.file == nullptr) impl.fail(std::string("damaged: ") + sf_strerror(nullptr));
+  const std::size_t bytes = sample_bytes(impl.info.format);
   std::string problem;
   if (bytes == 0) {
     problem = "compressed samples, neither PCM nor floating point";
-  } else if (static_cast<std::uintmax_t>(i.info.frames) >
-             std::filesystem::file_size(path) / bytes / static_cast<std::uintmax_t>(i.info.channels)) {
-    // sf_open refuses fewer channels than one, a rate below 1 Hz and a negative number of frames.
+  } else if (static_cast<std::uintmax_t>(impl.info.frames) >
+             std::filesystem::file_size(path) / bytes / static_cast<std::uintmax_t>(impl.info.channels)) {
+    // sf_open has refused files without channels, rates below 1 Hz and negative numbers of frames.
     problem = "more samples than the file has bytes for";
   }
-  if (!problem.empty()) i.fail(problem);
+  if (!problem.empty()) impl.fail(problem);
 }
 
 SoundInput::~SoundInput() = default;
@@ -145,8 +145,8 @@ struct SoundOutput::Impl {
 SoundOutput::SoundOutput(const std::string& path, bool force, SoundKind kind, std::size_t channels, int rate_Hz,
                          const std::vector<std::uint32_t>& cues, const std::optional<Chunk>& chunk)
     : impl_(std::make_unique<Impl>(path, force)) {
-  Impl& i = *impl_;
-  i.channels = channels;
+  Impl& impl = *impl_;
+  impl.channels = channels;
   const int type = kind == SoundKind::wav ? SF_FORMAT_WAV : kind == SoundKind::rf64 ? SF_FORMAT_RF64 : SF_FORMAT_W64;
   SF_INFO info{};
   info.samplerate = rate_Hz;
@@ -156,10 +156,10 @@ SoundOutput::SoundOutput(const std::string& path, bool force, SoundKind kind, st
     throw InputError(std::to_string(channels) + " channels, or the sampling rate, exceed the limits of the format",
                      path, "write it as HDF5");
   }
-  i.file.reset(sf_open(i.target.temporary_path().c_str(), SFM_WRITE, &info));
-  if (i.file == nullptr) i.fail();
-  sf_command(i.file.get(), SFC_SET_ADD_PEAK_CHUNK, nullptr,
-             SF_FALSE);  // it contains the time of day; see clear_time_stamp
+  impl.file.reset(sf_open(impl.target.temporary_path().c_str(), SFM_WRITE, &info));
+  if (impl.file == nullptr) impl.fail();
+  // The chunk PEAK contains the time of day; see clear_time_stamp().
+  sf_command(impl.file.get(), SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);
   if (kind == SoundKind::w64) return;
   if (!cues.empty()) {
     // As SF_CUES, for any number of cues: a count, then the cues.
@@ -173,15 +173,15 @@ SoundOutput::SoundOutput(const std::string& path, bool force, SoundKind kind, st
       std::memcpy(&point.fcc_chunk, "data", 4);
       std::memcpy(block.data() + 1 + c * sizeof point / sizeof(std::uint32_t), &point, sizeof point);
     }
-    sf_command(i.file.get(), SFC_SET_CUE, block.data(), static_cast<int>(block.size() * sizeof(std::uint32_t)));
+    sf_command(impl.file.get(), SFC_SET_CUE, block.data(), static_cast<int>(block.size() * sizeof(std::uint32_t)));
   }
   if (!chunk) return;
-  i.chunk = chunk->text;
-  i.chunk.resize((i.chunk.size() + 3) / 4 * 4, ' ');
+  impl.chunk = chunk->text;
+  impl.chunk.resize((impl.chunk.size() + 3) / 4 * 4, ' ');
   SF_CHUNK_INFO chunk_info = chunk_named(chunk->id);
-  chunk_info.data = i.chunk.data();
-  chunk_info.datalen = static_cast<unsigned>(i.chunk.size());
-  if (sf_set_chunk(i.file.get(), &chunk_info) != SF_ERR_NO_ERROR) i.fail();
+  chunk_info.data = impl.chunk.data();
+  chunk_info.datalen = static_cast<unsigned>(impl.chunk.size());
+  if (sf_set_chunk(impl.file.get(), &chunk_info) != SF_ERR_NO_ERROR) impl.fail();
 }
 
 SoundOutput::~SoundOutput() = default;

@@ -8,7 +8,7 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::uint32_t kUnknown32 = 0x7FFF'0000;  // from this length on: arecord and others write it to a pipe
+constexpr std::uint32_t kUnknown32 = 0x7FFF'0000;  // from this length on, the length is unknown: written to a pipe
 constexpr std::size_t kMaxChunks = 4096;           // before the samples
 constexpr std::uint64_t kMaxOffset = std::uint64_t{1} << 62U;
 // A chunk of RIFF begins with four letters and four bytes of length. A chunk of W64 begins with a GUID of sixteen bytes

@@ -30,8 +30,8 @@ namespace {
 constexpr std::array kCommonRates_Hz = {8000.0,  11025.0, 16000.0, 22050.0, 25600.0,  32000.0,  44100.0,  48000.0,
                                         51200.0, 64000.0, 88200.0, 96000.0, 102400.0, 128000.0, 176400.0, 192000.0};
 
-// PortAudio of Debian aborts the program where the configuration of ALSA has no device "default" (an assertion). A
-// child tries it first. The child takes at most 20 s, since devices may answer slowly.
+// An assertion in Debian's PortAudio aborts the program if the configuration of ALSA has no device "default". A child
+// process therefore tries it first. It takes at most 20 s, since devices may answer slowly.
 void check_in_child() {
   constexpr unsigned kPatience_s = 20;
   auto* const initialize = PERCUSS_PORTAUDIO(Pa_Initialize);
@@ -130,20 +130,20 @@ PortAudioInput find_input(const std::vector<PortAudioInput>& inputs, const std::
     }
     return nullptr;
   };
-  const auto part = [](const PortAudioInput& input, const std::string& text) {
+  const auto name_contains = [](const PortAudioInput& input, const std::string& text) {
     return input.name.find(text) != std::string::npos;
   };
   if (const auto* exact = first_where([&](const auto& input) { return input.name == name; })) return *exact;
-  if (const auto* address = first_where([&](const auto& input) { return part(input, "(" + name + ")"); }))
+  if (const auto* address = first_where([&](const auto& input) { return name_contains(input, "(" + name + ")"); }))
     return *address;
-  const PortAudioInput* const found = first_where([&](const auto& input) { return part(input, name); });
+  const PortAudioInput* const found = first_where([&](const auto& input) { return name_contains(input, name); });
   if (found == nullptr) {
     check_card_is_free(sound_card_inputs(), name);  // PortAudio leaves out what it cannot open
     throw InputError("there is no such recording device", one_line(name), "percuss devices lists what can record",
                      {"device"});
   }
   const auto* const other =
-      first_where([&](const auto& input) { return part(input, name) && input.name != found->name; });
+      first_where([&](const auto& input) { return name_contains(input, name) && input.name != found->name; });
   if (other != nullptr) {
     throw InputError("several recording devices have this name", one_line(name),
                      "write more of it: " + one_line(found->name) + ", " + one_line(other->name), {"device"});

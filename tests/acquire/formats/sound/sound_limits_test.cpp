@@ -26,12 +26,12 @@ std::string number(std::uint32_t value, std::size_t bytes) {
   return {reinterpret_cast<const char*>(&value), bytes};  // little-endian, like the machines that percuss supports
 }
 
-// Two channels of 8 bits, and chunks behind the samples.
-std::string wav(const std::string& samples, const std::string& behind = "") {
+// Two channels of 8 bits, and chunks after the samples.
+std::string wav(const std::string& samples, const std::string& after = "") {
   const std::string format =
       number(1, 2) + number(2, 2) + number(1000, 4) + number(2000, 4) + number(2, 2) + number(8, 2);
   const std::string body = "WAVEfmt " + number(16, 4) + format + "data" +
-                           number(static_cast<std::uint32_t>(samples.size()), 4) + samples + behind;
+                           number(static_cast<std::uint32_t>(samples.size()), 4) + samples + after;
   return "RIFF" + number(static_cast<std::uint32_t>(body.size()), 4) + body;
 }
 
@@ -83,7 +83,7 @@ TEST_F(SoundLimits, AFileThatEndsEarlyIsNamed) {
   const std::string whole = wav(samples);
   EXPECT_EQ(early(whole), "");
   EXPECT_THAT(early(whole.substr(0, 44 + 780)), HasSubstr("it holds 0.39 of the 1 s that its header states"));
-  EXPECT_EQ(early(wav(samples, "LIST" + number(4, 4) + "abcd")), "") << "a chunk behind the samples";
+  EXPECT_EQ(early(wav(samples, "LIST" + number(4, 4) + "abcd")), "") << "a chunk after the samples";
   // A program that writes to a pipe does not know the length.
   for (const std::uint32_t unknown : {0x7FFFFFDBU, 0xFFFFFFFFU}) {
     std::string stream = whole;
