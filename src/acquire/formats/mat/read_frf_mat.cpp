@@ -107,7 +107,7 @@ Frequencies frequencies_in(const MatFile& file) {
   return out;
 }
 
-// The lines of a file without a frequency for each of them.
+// The lines of a file that does not list their frequencies.
 LineRange lines_without_frequencies(const MatFile& file, const FrfReadOptions& options, std::size_t lines) {
   auto df_Hz = options.read.df_Hz;
   if (!df_Hz) df_Hz = mat_number(file, {"df", "dfhz", "deltaf", "freqspacing", "frequencyresolution"});
@@ -184,7 +184,7 @@ std::vector<int> point_numbers_in(const MatFile& file, const MatVariable& frf, s
 
 void read_frfs(const MatFile& file, const MatVariable& frf, const MatFrfLayout& layout, StoredFrfs& out) {
   const std::vector<int> points = point_numbers_in(file, frf, layout.points);
-  const MatVariable* const std = companion_of(file, frf, "frf_std", out);
+  const MatVariable* const deviations = companion_of(file, frf, "frf_std", out);
   const MatVariable* const coherence = coherence_of(file, frf, out);
   const auto averages = mat_number(file, {"averages"}).value_or(0);
   for (std::size_t p = 0; p < layout.points; ++p) {
@@ -195,7 +195,7 @@ void read_frfs(const MatFile& file, const MatVariable& frf, const MatFrfLayout& 
         const std::size_t at = layout.at(p, c, k);
         stored.value[k] = {frf.real[at], frf.imaginary[at]};
       }
-      stored.std = values_of(file, std, layout, p, c);
+      stored.std = values_of(file, deviations, layout, p, c);
       stored.coherence = values_of(file, coherence, layout, p, c);
       stored.averages = averages > 0 && averages <= kMaxAverages ? static_cast<std::size_t>(averages) : 0;
       out.frfs.push_back(std::move(stored));
