@@ -64,12 +64,15 @@ struct LowerOrders {
 ///   bending in the plane ψ:      cos(θ₂ − ψ)/cos(θ₁ − ψ)             any value; tan ψ for 90°           (1)
 ///   hoop (n = 2), turned by θ₀:  cos 2(θ₂ − θ₀)/cos 2(θ₁ − θ₀)       −1 for 90°, whatever θ₀             (2)
 /// Both likelihoods include the errors of the ratio, of the sensors' placement and of the channels' gains. All modes
-/// are classified together (type_posterior.hpp). ModeClassification::alternative says when the second type is stated as
-/// well. Without sensors, for an `other` object, and where assumed angles do not fit the modes (tube_evidence.hpp), the
-/// modes keep an unknown type and no order. They also have no split mode, unless `object` is tube: split modes of a
-/// stated tube are marked without sensors too. overlay_dB[m] is the measured level difference at mode m's peak. source
-/// [8] section 3.6 for the overlay rule and the 25 Hz rule. Bending modes far above the lowest hoop mode may have three
-/// waves (three_waves.hpp). theory (6.1), (6.2), (6.3)
+/// are classified together (type_posterior.hpp). Bending modes far above the lowest hoop mode may have three waves
+/// (three_waves.hpp). ModeClassification::alternative says when the second type is stated as well.
+///
+/// Modes keep an unknown type and no order without sensors, for an `other` object, and if assumed angles do not fit the
+/// modes (tube_evidence.hpp). They also have no split mode, unless `object` is tube: split modes of a stated tube are
+/// marked without sensors too.
+/// overlay_dB  [modes] the measured level difference at the mode's peak
+/// source  [8] section 3.6 for the overlay rule and the 25 Hz rule
+/// theory (6.1), (6.2), (6.3)
 std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const std::optional<SensorPair>& sensors,
                                          const std::vector<std::optional<double>>& overlay_dB,
                                          const ClassifyOptions& options = {});
