@@ -44,6 +44,23 @@ const fitChooser = (parent, name, options, change) => {
   return select;
 };
 
+// The drawn lines [from, to) of three half-power bandwidths on either side of a mode, but at least 12. Without a mode,
+// all lines.
+const linesAround = (mode, xs) => {
+  if (!mode) return [0, xs.length];
+  const reach = 6 * mode.zeta * mode.hz;
+  let from = xs.findIndex((hz) => hz >= mode.hz - reach), to = xs.findIndex((hz) => hz > mode.hz + reach);
+  from = from < 0 ? 0 : from;
+  to = to < 0 ? xs.length : to;
+  const missing = Math.max(0, 12 - (to - from));
+  return [Math.max(0, from - missing), Math.min(xs.length, to + missing)];
+};
+
+// The FRAC of an FRF if modes exist, and the peaks that no mode explains.
+const fitSummary = (frf, modesExist, peaks) =>
+  (modesExist ? `FRAC ${frf.frac.toFixed(5)} over the band` : "no modes to compare with") +
+  (peaks.length ? `; ${peaks.length} unexplained peak${peaks.length > 1 ? "s" : ""}: ${peaks.map((p) => `${hertz(p.hz)} Hz (${peakLevel(p)})`).join(", ")}` : "; no unexplained peak") + ".";
+
 const fitPlots = () => {
   const fit = data.fit;
   for (const figure of figuresOf("fit")) {
@@ -72,17 +89,6 @@ const fitPlots = () => {
     summary.setAttribute("aria-live", "polite");
     const target = addElement("div", figure);
     let own = [];
-    // Three half-power bandwidths on either side of the chosen mode, but at least 12 drawn lines.
-    const rangeOf = () => {
-      const mode = modes[Number(range.value) - 1];
-      if (!mode) return [0, xs.length];
-      const reach = 6 * mode.zeta * mode.hz;
-      let from = xs.findIndex((hz) => hz >= mode.hz - reach), to = xs.findIndex((hz) => hz > mode.hz + reach);
-      from = from < 0 ? 0 : from;
-      to = to < 0 ? xs.length : to;
-      const missing = Math.max(0, 12 - (to - from));
-      return [Math.max(0, from - missing), Math.min(xs.length, to + missing)];
-    };
     const add = (height, y, cut, series, options = {}) => {
       const place = addElement("div", target);
       own.push(plot(figure, height, "frequency, Hz", y, cut(xs), series.map((s) => ({ ...s, values: cut(s.values) })), { target: place, ...options }));
@@ -99,10 +105,9 @@ const fitPlots = () => {
       const frf = fit.frfs.find((f) => f.point === Number(point.value) && f.channel === Number(channel.value));
       const name = (fit.points.length > 1 ? `Point ${fit.points[Number(point.value)]}, ` : "") + fit.channels[Number(channel.value)];
       if (!frf) { summary.textContent = `${name}: not measured.`; return; }
-      const { measured, synthesised, residual_dB } = decodedFrf(fit, frf), [from, to] = rangeOf(), cut = (values) => values.slice(from, to);
+      const { measured, synthesised, residual_dB } = decodedFrf(fit, frf), [from, to] = linesAround(modes[Number(range.value) - 1], xs), cut = (values) => values.slice(from, to);
       const inRange = fit.peaks.filter((p) => p.hz >= xs[from] && p.hz <= xs[to - 1]);
-      summary.textContent = `${name}: ` + (synthesised ? `FRAC ${frf.frac.toFixed(5)} over the band` : "no modes to compare with") +
-        (inRange.length ? `; ${inRange.length} unexplained peak${inRange.length > 1 ? "s" : ""}: ${inRange.map((p) => `${hertz(p.hz)} Hz (${peakLevel(p)})`).join(", ")}` : "; no unexplained peak") + ".";
+      summary.textContent = `${name}: ${fitSummary(frf, synthesised, inRange)}`;
       if (view.value === "2") {
         legend(target, ["measured", "synthesised"].slice(0, synthesised ? 2 : 1));
         const canvas = addElement("canvas", target);
