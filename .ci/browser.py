@@ -29,10 +29,10 @@ def check(holds, what):
     failures += not holds
 
 
-def percuss(*words, codes=(0,)):
-    outcome = subprocess.run([PERCUSS, *words], capture_output=True, text=True)
+def percuss(*arguments, codes=(0,)):
+    outcome = subprocess.run([PERCUSS, *arguments], capture_output=True, text=True)
     if outcome.returncode not in codes:
-        sys.exit(f"percuss {' '.join(words)}: {outcome.returncode}\n{outcome.stderr}")
+        sys.exit(f"percuss {' '.join(arguments)}: {outcome.returncode}\n{outcome.stderr}")
     return outcome.stdout
 
 
@@ -55,22 +55,23 @@ def load(driver, path):
     return console, [url for url in requests if url != path.as_uri()]
 
 
-# The lowest contrast of a text with its background, and its place. A transparent background shows the parent's.
+# Finds the lowest contrast between a text and its background, and that text. A transparent background is blended
+# with the background of its parent.
 CONTRAST = """
 const rgba = (text) => { const n = text.match(/[\\d.]+/g).map(Number); return n.length > 3 ? n : [...n, 1]; };
-const light = (c) => { const f = (v) => (v / 255 <= 0.03928 ? v / 255 / 12.92 : ((v / 255 + 0.055) / 1.055) ** 2.4); return 0.2126 * f(c[0]) + 0.7152 * f(c[1]) + 0.0722 * f(c[2]); };
+const luminance = (c) => { const f = (v) => (v / 255 <= 0.03928 ? v / 255 / 12.92 : ((v / 255 + 0.055) / 1.055) ** 2.4); return 0.2126 * f(c[0]) + 0.7152 * f(c[1]) + 0.0722 * f(c[2]); };
 const over = (top, under) => [0, 1, 2].map((i) => top[i] * top[3] + under[i] * (1 - top[3])).concat(1);
-const ground = (element) => {
+const background = (element) => {
   if (!element) return [255, 255, 255, 1];
   const own = rgba(getComputedStyle(element).backgroundColor);
-  return own[3] === 1 ? own : over(own, ground(element.parentElement));
+  return own[3] === 1 ? own : over(own, background(element.parentElement));
 };
 let worst = [99, ""];
 for (const element of document.querySelectorAll("body *")) {
   if (![...element.childNodes].some((node) => node.nodeType === 3 && node.textContent.trim()) || ["SCRIPT", "STYLE", "title"].includes(element.tagName)) continue;
   const style = getComputedStyle(element), svg = element instanceof SVGElement;
-  const behind = ground(svg ? element.closest("figure") || document.body : element), ink = over(rgba(svg ? style.fill : style.color), behind);
-  const [a, b] = [light(ink), light(behind)].sort((x, y) => y - x), ratio = (a + 0.05) / (b + 0.05);
+  const behind = background(svg ? element.closest("figure") || document.body : element), ink = over(rgba(svg ? style.fill : style.color), behind);
+  const [a, b] = [luminance(ink), luminance(behind)].sort((x, y) => y - x), ratio = (a + 0.05) / (b + 0.05);
   if (ratio < worst[0]) worst = [ratio, element.tagName + ": " + element.textContent.trim().slice(0, 40)];
 }
 // Names of modes and axes are written on the canvas in these colours.
@@ -78,7 +79,7 @@ for (const name of ["--ink", "--soft"]) {
   const probe = document.createElement("span");
   probe.style.color = `var(${name})`;
   document.body.append(probe);
-  const [a, b] = [light(rgba(getComputedStyle(probe).color)), light(ground(document.body))].sort((x, y) => y - x);
+  const [a, b] = [luminance(rgba(getComputedStyle(probe).color)), luminance(background(document.body))].sort((x, y) => y - x);
   if ((a + 0.05) / (b + 0.05) < worst[0]) worst = [(a + 0.05) / (b + 0.05), name];
   probe.remove();
 }
@@ -151,8 +152,8 @@ def check_zoom(driver, path):
     check(scales(driver) == before, "zoom: a double click shows all again")
     buttons = {b.text: b for b in driver.find_elements(By.CSS_SELECTOR, '[data-plot="magnitude"] button')}
     ActionChains(driver).move_to_element(over).perform()
-    said = driver.find_element(By.CSS_SELECTOR, '[data-plot="magnitude"] .readout').text
-    check(" Hz: " in said and " dB" in said, f"cursor: {said}")
+    readout = driver.find_element(By.CSS_SELECTOR, '[data-plot="magnitude"] .readout').text
+    check(" Hz: " in readout and " dB" in readout, f"cursor: {readout}")
     buttons["Logarithmic"].click()
     time.sleep(0.2)
     kinds = driver.execute_script("return plots.filter((d) => d.plot.scales.x.distr === 3).length")
@@ -165,6 +166,12 @@ def check_zoom(driver, path):
     check(all(pair == narrow[0] for pair in narrow) and narrow[0] != before[0], "zoom: by the keyboard")
 
 
+def stands_still(driver, kind):
+    before = picture_of(driver, kind)
+    time.sleep(0.4)
+    return picture_of(driver, kind) == before
+
+
 def check_animation(driver, path, kind):
     emulate(driver, prefers_reduced_motion="no-preference")
     load(driver, path)
@@ -175,10 +182,10 @@ def check_animation(driver, path, kind):
     check(len(set(frames)) == 3, f"{path.stem}: {kind} moves")
     driver.find_element(By.CSS_SELECTOR, f'[data-plot="{kind}"] button').send_keys("\ue007")
     time.sleep(0.1)
-    check(picture_of(driver, kind) == (time.sleep(0.4), picture_of(driver, kind))[1], f"{path.stem}: {kind} stops by its button")
+    check(stands_still(driver, kind), f"{path.stem}: {kind} stops by its button")
     emulate(driver, prefers_reduced_motion="reduce")
     load(driver, path)
-    check(picture_of(driver, kind) == (time.sleep(0.4), picture_of(driver, kind))[1], f"{path.stem}: {kind} does not move if reduced motion is preferred")
+    check(stands_still(driver, kind), f"{path.stem}: {kind} does not move if reduced motion is preferred")
     emulate(driver, prefers_reduced_motion="no-preference")
 
 
@@ -257,7 +264,7 @@ def check_sizes(driver, work):
     check(page.stat().st_size <= 500_000, f"survey of {len(points)} points: {page.stat().st_size} bytes")
     check_page(driver, page, canvases=8)
     times = []
-    while len(times) < 15 and min(times, default=101) > 100:  # other work of the machine delays some of them
+    while len(times) < 15 and min(times, default=101) > 100:  # other processes delay some loads
         load(driver, page)
         times.append(int(driver.execute_script("return document.documentElement.dataset.drawnMs")))
     check(min(times) <= 100, f"survey of {len(points)} points: drawn in {min(times)} ms")
@@ -269,9 +276,9 @@ def main():
         work = pathlib.Path(folder)
         driver = browser()
         try:
-            for name, words, canvases, charts in pages(work):
+            for name, arguments, canvases, charts in pages(work):
                 page = work / f"{name}.html"
-                percuss(*words, "-o", str(page), "--quiet", codes=(0, 4, 5))
+                percuss(*arguments, "-o", str(page), "--quiet", codes=(0, 4, 5))
                 check_page(driver, page, canvases, charts)
             check_zoom(driver, work / "bat-composite.html")
             check_animation(driver, work / "bat-composite.html", "movement")

@@ -2,7 +2,7 @@
 //
 //   in_process_batch [RECORD...]
 //
-// Without records it makes eight tests of one bat, which differ in their hits and their noise.
+// Without records, it synthesises eight tests of one bat with different hits and noise.
 #include <percuss/batch.hpp>
 #include <percuss/synth.hpp>
 

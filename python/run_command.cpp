@@ -60,8 +60,8 @@ Json json_of(const DeclaredCommand& command) {
   Json arguments = Json::array(), options = Json::array(), examples = Json::array();
   for (const DeclaredOption& argument : command.arguments) arguments.push_back(json_of(argument));
   for (const DeclaredOption& option : command.options) options.push_back(json_of(option));
-  for (const DeclaredExample& one : command.examples)
-    examples.push_back({{"line", one.line}, {"meaning", one.meaning}});
+  for (const DeclaredExample& example : command.examples)
+    examples.push_back({{"line", example.line}, {"meaning", example.meaning}});
   return {{"name", command.name},   {"summary", command.summary}, {"about", command.about},
           {"arguments", arguments}, {"options", options},         {"examples", examples}};
 }
@@ -109,8 +109,8 @@ class SessionPool {
 };
 
 SessionPool& session_pool() {
-  static SessionPool all;
-  return all;
+  static SessionPool pool;
+  return pool;
 }
 
 }  // namespace

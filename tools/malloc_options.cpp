@@ -15,7 +15,7 @@
 namespace percuss::tools {
 namespace {
 
-constexpr std::uintptr_t kPage = std::uintptr_t{1} << 21U;
+constexpr std::uintptr_t kLargePage = std::uintptr_t{1} << 21U;
 constexpr std::uintptr_t kThreadHeap = std::uintptr_t{1} << 26U;  // size and alignment of a thread's heap in glibc
 constexpr int kMainHeap = 1 << 29;                                // bytes reserved; a page takes memory at first use
 constexpr int kMinHeap = 1 << 26;                                 // below this, large pages do not pay
@@ -31,7 +31,7 @@ std::uintptr_t address_of(const char* pointer) { return reinterpret_cast<std::ui
 
 // A hint: the system may ignore it.
 void request_large_pages(char* first, const char* end) {
-  char* const page = first + (kPage - address_of(first) % kPage) % kPage;
+  char* const page = first + (kLargePage - address_of(first) % kLargePage) % kLargePage;
   if (page < end) ::madvise(page, static_cast<std::size_t>(end - page), MADV_HUGEPAGE);
 }
 
@@ -40,12 +40,12 @@ char* heap_end() { return static_cast<char*>(::sbrk(0)); }
 // At most a quarter of the addresses that `ulimit -v` or `ulimit -d` allow: threads, files and large arrays need the
 // rest.
 int largest_heap() {
-  rlim_t least = RLIM_INFINITY;
+  rlim_t lowest = RLIM_INFINITY;
   for (const auto resource : {RLIMIT_AS, RLIMIT_DATA}) {
     rlimit limit{};
-    if (::getrlimit(resource, &limit) == 0) least = std::min(least, limit.rlim_cur);
+    if (::getrlimit(resource, &limit) == 0) lowest = std::min(lowest, limit.rlim_cur);
   }
-  return least / 4 > kMainHeap ? kMainHeap : static_cast<int>(least / 4);
+  return lowest / 4 > kMainHeap ? kMainHeap : static_cast<int>(lowest / 4);
 }
 
 // A page is large only where the heap already owns its addresses, so the heap must not grow in small steps. Halves the

@@ -52,7 +52,8 @@ int parse_and_run(int argc, char** argv) {
 
 }  // namespace
 
-// An exception may arise where none may escape: in the JSON library, in oneTBB, or during stack unwinding.
+// The terminate handler. An exception can escape a noexcept function of the JSON library or of oneTBB, or arise during
+// stack unwinding.
 [[noreturn]] static void end_at_once() {
   percuss::remove_temporary_files();
   const std::type_info* const type = abi::__cxa_current_exception_type();

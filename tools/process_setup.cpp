@@ -21,8 +21,8 @@ namespace {
 
 constexpr rlim_t kStack_bytes = rlim_t{8} << 20U, kEnoughStack_bytes = rlim_t{2} << 20U;
 
-// Opened for the wrong direction, so that their use stays an error: standard input for writing, the outputs for
-// reading.
+// Opens /dev/null in place of closed standard streams. The direction is wrong, so that their use stays an error:
+// standard input is opened for writing, the outputs for reading.
 void reopen_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) != -1) continue;

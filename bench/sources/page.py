@@ -18,7 +18,7 @@ class Section:
         self.commands, self.rows, self.reasons, self.named = [], [], [], set()
 
     def command(self, text):
-        """Adds a command of the shell; returns its number."""
+        """Adds a shell command; returns its number."""
         self.commands.append(text)
         return len(self.commands)
 
@@ -86,7 +86,7 @@ class Section:
 
 
 def signed(value, digits):
-    """With its sign; without one where it rounds to zero."""
+    """Formats a value with its sign, or without a sign if it rounds to zero."""
     text = '%+.*f' % (digits, value)
     return text[1:] if float(text) == 0 else text
 
@@ -120,7 +120,7 @@ NUMBER = re.compile(r'(?<![\w.])[+-]?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?![\w.])')
 
 
 def same_line(one, other):
-    """Whether lines agree; a number with decimals may be rounded otherwise in its last digit."""
+    """Whether two lines agree. Numbers with decimals may differ by one in their last digit."""
     if NUMBER.split(one) != NUMBER.split(other):
         return False
     for a, b in zip(NUMBER.findall(one), NUMBER.findall(other)):

@@ -20,8 +20,8 @@ PROFILE = """position,diameter
 def section():
     s = Section('The sweet spot [10]', """\
 The source is a fragment: it prints numbers for the rigid bat, and none for the flexible bat. The statements on the
-flexible bat are compared with a wood bat of 34 in, the `wood.csv` of the section "Baseball bats [8]". Its profile is made up, because the sources print none. Positions of the rigid bat are from its centre of
-mass.""", 'figures 1, 2; table 1')
+flexible bat are compared with a wood bat of 34 in, the `wood.csv` of the section "Baseball bats [8]". Its profile is
+made up, because the sources print none. Positions of the rigid bat are from its centre of mass.""", 'figures 1, 2; table 1')
     s.rigid = s.command('percuss model rigid -o sweet-spot.svg -o sweet-spot.csv -o rigid.json --quiet > /dev/null')
     bat = 'percuss model bat --profile wood.csv --profile-unit in:in --profile-kind points'
     s.bat = s.command(bat + ' -o wood.json --quiet > /dev/null')
@@ -38,8 +38,9 @@ def fill(s):
     def exit_at(z):
         low = max(row['z_m'] for row in curve if row['z_m'] <= z)
         a, b = [row for row in curve if row['z_m'] >= low][:2]
-        part = (z - a['z_m']) / (b['z_m'] - a['z_m'])
-        return a['exit_speed_mps'] + part * (b['exit_speed_mps'] - a['exit_speed_mps'])
+        fraction = (z - a['z_m']) / (b['z_m'] - a['z_m'])
+        return a['exit_speed_mps'] + fraction * (b['exit_speed_mps'] - a['exit_speed_mps'])
+
     loss = max(best['exit_speed_mps'] - exit_at(best['z_m'] + d) for d in (-0.05, 0.05))
     s.row('figure 2', 'loss 5 cm from the sweet spot', '11 m/s', '%.2f m/s' % loss,
           'the text must mean about 1 m/s: momentum gives 0.73', [s.rigid])

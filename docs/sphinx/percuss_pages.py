@@ -67,8 +67,6 @@ def _visit_namespace(self, node):
 SphinxRenderer.visit_namespace = _visit_namespace
 
 _TERM = re.compile(r"    (\S+(?: \[[^\]]*\])?)  +(\S.*)")  # "    band [LO:HI]  Analyse this band"
-
-
 _COLUMNS = re.compile(r"\S.*?\S {2,}\S.*")  # "frequency_hz, damping_ratio    (modes,)"
 
 
@@ -104,11 +102,11 @@ def _as_rst(block):
     return [_escaped(line) for line in lines]
 
 
-_SECTION = re.compile(r"(?m)^[A-Z][\w ]*\n-{3,}$")  # as NumPy writes it; napoleon converts these docstrings
+_NUMPY_HEADING = re.compile(r"(?m)^[A-Z][\w ]*\n-{3,}$")  # napoleon converts docstrings with such headings
 
 
 def _docstring(app, what, name, obj, options, lines):
-    if _SECTION.search("\n".join(lines)):
+    if _NUMPY_HEADING.search("\n".join(lines)):
         lines[:] = [re.sub(r"(?<!`)`([^`]+)`(?!`)", r"``\1``", line) for line in lines]
         return
     blocks = re.split(r"\n{2,}", "\n".join(lines).strip("\n"))

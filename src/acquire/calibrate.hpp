@@ -23,13 +23,13 @@ struct CalibrationHit {
   std::size_t samples = 0;  // the compared samples: the force exceeds half of its peak
   double scale = 0;         // N per present unit
   double scale_std = 0;     // from the residuals within the hit; of a single compared sample, from the noise before it
-  double ringing = 0;       // rms of the acceleration after the pulse, over its peak
+  double ringing = 0;       // rms of the acceleration after the pulse over the peak acceleration
   bool used = false;
 };
 
 struct Calibration {
   double scale = 0;      // N per present unit of the force channel; negative when it reads pushes as negative
-  double scale_std = 0;  // the larger of two: the scatter over the hits, the noise within them
+  double scale_std = 0;  // the larger of the scatter between the hits and the noise within them
   std::vector<CalibrationHit> hits;
 };
 

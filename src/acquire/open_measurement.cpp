@@ -100,10 +100,10 @@ bool needs_sandbox(const std::string& path) {
 }
 
 std::shared_ptr<ForkServer> measurement_fork_server(const FrfReadOptions& options) {
-  FrfReadOptions within = options;
-  within.read.sandboxed = false;
+  FrfReadOptions in_child = options;
+  in_child.read.sandboxed = false;  // the child is the sandbox
   return std::make_shared<ForkServer>(
-      [within](const std::string& path) { return measurement_service(open_measurement(path, within)); });
+      [in_child](const std::string& path) { return measurement_service(open_measurement(path, in_child)); });
 }
 
 Measurement open_measurement_forked(const std::shared_ptr<ForkServer>& fork_server, const std::string& path,

@@ -9,7 +9,7 @@
 namespace percuss {
 inline namespace core {
 
-/// Uninitialised array, written once by its owner. Setting many MiB to zero first can take a fifth of the time.
+/// Uninitialised array, written once by its owner. Zeroing many MiB first can take a fifth of the run time.
 /// errors  std::bad_alloc
 template <class Value>
 class UninitializedArray {

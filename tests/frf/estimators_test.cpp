@@ -83,11 +83,11 @@ TEST(EstimateFrf, IsExactWithoutNoise) {
   for (const Estimator estimator : kEstimators) {
     const Frf frf = hits.frf(estimator);
     for (std::size_t k = 0; k < 200; ++k) {
-      const double size = std::abs(true_frf(k));
+      const double magnitude = std::abs(true_frf(k));
       constexpr double kRounding = 1e-14;  // of sums of three products
-      ASSERT_LE(std::abs(frf.value[k] - true_frf(k)), kRounding * size) << name_of(estimator);
+      ASSERT_LE(std::abs(frf.value[k] - true_frf(k)), kRounding * magnitude) << name_of(estimator);
       ASSERT_LE(1 - frf.coherence[k], kRounding);
-      ASSERT_LE(frf.std[k], 1e-7 * size);  // the root of that rounding
+      ASSERT_LE(frf.std[k], 1e-7 * magnitude);  // the root of that rounding
     }
   }
 }
@@ -134,12 +134,12 @@ TEST(EstimateFrf, TakesTheInverseWhenTheChannelsAreSwapped) {
 
 TEST(EstimateFrf, DoesNotDependOnUnitsOrTheOrderOfHits) {
   const Hits hits = simulated(4, 60, 0.1, 0.2);
-  Hits turned = hits;
-  std::reverse(turned.force.begin(), turned.force.end());
-  std::reverse(turned.accel.begin(), turned.accel.end());
+  Hits reversed = hits;
+  std::reverse(reversed.force.begin(), reversed.force.end());
+  std::reverse(reversed.accel.begin(), reversed.accel.end());
   for (const auto& [force, accel] :
        {std::pair{1.0, -1.0}, {1e-30, 1e30}, {1e30, 1e-30}, {1e30, 1e30}, {1e-30, 1e-30}}) {
-    Hits scaled = turned;
+    Hits scaled = reversed;
     for (Lines& lines : scaled.force) std::for_each(lines.begin(), lines.end(), [f = force](Complex& x) { x *= f; });
     for (Lines& lines : scaled.accel) std::for_each(lines.begin(), lines.end(), [a = accel](Complex& x) { x *= a; });
     for (const Estimator estimator : kEstimators) {

@@ -63,10 +63,10 @@ TEST(LeaveOneOutError, DoesNotDependOnUnitsOrTheOrderOfHits) {
   auto force = kForce;
   std::swap(force[0], force[2]);
   std::swap(accel[0], accel[2]);
-  const auto turned = unexplained(force, accel);
+  const auto swapped = unexplained(force, accel);
   constexpr double kRounding = 1e-12;  // as above
-  EXPECT_LE(std::abs(turned[0] / plain[2] - 1), kRounding);
-  EXPECT_LE(std::abs(turned[1] / plain[1] - 1), kRounding);
+  EXPECT_LE(std::abs(swapped[0] / plain[2] - 1), kRounding);
+  EXPECT_LE(std::abs(swapped[1] / plain[1] - 1), kRounding);
 }
 
 TEST(LeaveOneOutError, NeedsTwoHitsAndAResponse) {

@@ -47,32 +47,32 @@ TEST(ModesUff, ContainsEachModeAs55AndAs2414) {
   ASSERT_EQ(sets.size(), 6U);
   EXPECT_EQ(sets[0].number, 151);
   EXPECT_EQ(sets[1].number, 164);
-  const auto old = lines_of_set(sets[2]), now = lines_of_set(sets[3]);
+  const auto set_55 = lines_of_set(sets[2]), set_2414 = lines_of_set(sets[3]);
   ASSERT_EQ(sets[2].number, 55);
-  ASSERT_EQ(old.size(), 10U);
-  EXPECT_EQ(old[5], "         1         3         2         8         5         3");
-  EXPECT_EQ(old[6], "         2         6         1         1");
+  ASSERT_EQ(set_55.size(), 10U);
+  EXPECT_EQ(set_55[5], "         1         3         2         8         5         3");
+  EXPECT_EQ(set_55[6], "         2         6         1         1");
   // Relative: the noise of the record (4e-5 of the decay rate), the damped frequency compared with the undamped one
   // (ζ²/2 = 5e-5), and the six digits of a number (5e-6).
   constexpr double kFitted = 3e-4;
   constexpr double kFitted_Hz = 0.01;
   const double omega = 2 * std::numbers::pi * 200;
-  const auto eigenvalue = numbers_in(old[7]);
+  const auto eigenvalue = numbers_in(set_55[7]);
   EXPECT_NEAR(eigenvalue[0] / (-0.01 * omega), 1, kFitted);
   EXPECT_NEAR(eigenvalue[1] / omega, 1, kFitted);
-  EXPECT_EQ(old[8], "         1") << "point 0 is node 1";
-  const auto shape = numbers_in(old[9]);
+  EXPECT_EQ(set_55[8], "         1") << "point 0 is node 1";
+  const auto shape = numbers_in(set_55[9]);
   ASSERT_EQ(shape.size(), 6U);
   EXPECT_EQ(shape[0], 0) << "nothing along the axis";
   EXPECT_NEAR(shape[2], 1, kFitted) << "the sensor at 0 degrees looks along y";
   EXPECT_NEAR(shape[4], 0.3 / 0.9, kFitted);
   ASSERT_EQ(sets[3].number, 2414);
-  EXPECT_EQ(now[2], "         1") << "data at nodes";
-  EXPECT_EQ(now[8], "         1         3         2         8         5         3");
-  const auto record12 = numbers_in(now[11]);
+  EXPECT_EQ(set_2414[2], "         1") << "data at nodes";
+  EXPECT_EQ(set_2414[8], "         1         3         2         8         5         3");
+  const auto record12 = numbers_in(set_2414[11]);
   EXPECT_NEAR(record12[1], 200, kFitted_Hz);
   EXPECT_NEAR(record12[4] / 0.01, 1, kFitted);
-  EXPECT_EQ(now.back(), old.back());
+  EXPECT_EQ(set_2414.back(), set_55.back());
 }
 
 // A mode at 200 Hz of four nodes, the corners of a square: components along x, y and z, in 1/√kg.
@@ -134,11 +134,12 @@ std::map<int, std::array<double, 3>> motion_in(const std::string& path) {
   return out;
 }
 
-// Survey of a file of FRFs between these degrees of freedom: the motion in its file of shapes, and its document.
 class StatedDirections : public testing::Test {
  protected:
   static constexpr double kWithin = 1e-4;  // six digits of the FRFs in the file
 
+  // Runs a survey of FRFs between these degrees of freedom. Returns its document; motion_ is the motion in its file of
+  // mode shapes.
   nlohmann::json survey(const std::vector<std::pair<Dof, Dof>>& pairs) {
     std::string text = kSquare;
     for (const auto& [response, reference] : pairs) text += frf_between(response, reference);
@@ -150,6 +151,13 @@ class StatedDirections : public testing::Test {
     const auto document = test::parse_json(outcome.out);
     EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), testing::IsEmpty());
     return document;
+  }
+  void expect_the_motion_of_all_nodes() const {
+    ASSERT_EQ(motion_.size(), 4U);
+    for (const auto& [node, motion] : motion_) {
+      const auto& expected = kMotion.at(static_cast<std::size_t>(node - 1));
+      for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(motion.at(i), expected.at(i), kWithin) << node << " " << i;
+    }
   }
   test::ScratchFolder folder_;
   std::map<int, std::array<double, 3>> motion_;
@@ -180,11 +188,7 @@ TEST_F(StatedDirections, MoveTheNodesOfHammersInThreeDirections) {
   const auto document = survey(pairs);
   EXPECT_EQ(document["modes"][0]["shape"]["values"].size(), 12U);
   EXPECT_NEAR(document["modes"][0]["shape"]["modal_mass_kg"].get<double>(), 1 / (0.9 * 0.9), kWithin);
-  ASSERT_EQ(motion_.size(), 4U);
-  for (const auto& [node, motion] : motion_) {
-    const auto& expected = kMotion.at(static_cast<std::size_t>(node - 1));
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(motion.at(i), expected.at(i), kWithin) << node << " " << i;
-  }
+  expect_the_motion_of_all_nodes();
 }
 
 TEST_F(StatedDirections, MoveTheNodesOfARovingTriaxialSensor) {
@@ -195,11 +199,7 @@ TEST_F(StatedDirections, MoveTheNodesOfARovingTriaxialSensor) {
   const auto document = survey(pairs);
   EXPECT_EQ(document["roving"], "sensor");
   EXPECT_NEAR(document["modes"][0]["shape"]["modal_mass_kg"].get<double>(), 1 / (0.9 * 0.9), kWithin);
-  ASSERT_EQ(motion_.size(), 4U);
-  for (const auto& [node, motion] : motion_) {
-    const auto& expected = kMotion.at(static_cast<std::size_t>(node - 1));
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(motion.at(i), expected.at(i), kWithin) << node << " " << i;
-  }
+  expect_the_motion_of_all_nodes();
 }
 
 // Sensors without an angle, whose directions the set-up states. A sandboxed process reads the HDF5 file and passes them

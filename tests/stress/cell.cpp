@@ -7,7 +7,7 @@ namespace percuss::stress {
 
 namespace {
 
-// FNV-1a hash of the cell's name and the run. With equal noise in all cells, one draw would count many times.
+// FNV-1a hash of the cell's name and the run, so that the noise of the cells is independent.
 std::uint64_t own_seed(const std::string& name, std::uint64_t run) {
   std::uint64_t hash = 14695981039346656037U ^ run;
   for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;

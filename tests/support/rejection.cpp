@@ -35,6 +35,13 @@ std::string rejection_of(const std::vector<std::string>& arguments, const std::v
   return outcome.err;
 }
 
+void expect_usage_error(const std::vector<std::string>& arguments, const std::string& named) {
+  const auto outcome = run_percuss(arguments);
+  EXPECT_EQ(outcome.code, 2) << testing::PrintToString(arguments);
+  EXPECT_THAT(outcome.err, testing::HasSubstr(named));
+  EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+}
+
 void expect_analyses_reject(const std::string& path, const std::string& named, const ProcessOptions& options) {
   rejection_of({"analyze", path}, {".json", ".csv", ".h5"}, named, options);
   rejection_of({"frf", path}, {".csv", ".h5", ".json"}, named, options);

@@ -12,6 +12,9 @@ namespace percuss::test {
 std::string rejection_of(const std::vector<std::string>& arguments, const std::vector<std::string>& outputs,
                          const std::string& named, const ProcessOptions& options = {});
 
+/// Checks that percuss refuses these arguments: exit code 2, and one line on standard error that contains `named`.
+void expect_usage_error(const std::vector<std::string>& arguments, const std::string& named);
+
 /// Checks the rejection by the commands analyze, frf, calibrate and info.
 void expect_reading_commands_reject(const std::string& path, const std::string& named,
                                     const ProcessOptions& options = {});

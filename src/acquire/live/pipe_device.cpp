@@ -24,9 +24,10 @@ namespace {
 
 constexpr int kPipePoll_ms = 50;
 constexpr std::size_t kPipePiece_bytes = std::size_t{1} << 16U;
-constexpr std::chrono::seconds kHeaderPatience{10};
+constexpr std::chrono::seconds kHeaderTimeout{10};
 
-// The bytes that are there, at most out.size(). 0: none came in time. Negative: the end, or a failure.
+// Reads the available bytes, at most out.size(). Returns their number: 0 if none came in time, negative at the end of
+// the stream or after a failure.
 ssize_t read_available(int descriptor, std::span<std::byte> out) {
   pollfd ready{.fd = descriptor, .events = POLLIN, .revents = 0};
   if (::poll(&ready, 1, kPipePoll_ms) <= 0) return 0;
@@ -36,7 +37,7 @@ ssize_t read_available(int descriptor, std::span<std::byte> out) {
 }
 
 bool fill_from(int descriptor, std::span<std::byte> out) {
-  const auto deadline = std::chrono::steady_clock::now() + kHeaderPatience;
+  const auto deadline = std::chrono::steady_clock::now() + kHeaderTimeout;
   while (!out.empty()) {
     const ssize_t got = read_available(descriptor, out);
     if (got < 0 || std::chrono::steady_clock::now() > deadline) return false;
@@ -74,23 +75,25 @@ WavHeader raw_header(const std::string& description) {
 
 DeviceFormat pipe_format(const WavHeader& header) {
   DeviceFormat format{.type = pcm_type(header.encoding), .pace = DevicePace::ring};
-  const bool whole = format.type == SampleType::int32;
-  format.scale = whole ? 0x1p-31 : 1;
+  const bool integer = format.type == SampleType::int32;
+  format.scale = integer ? 0x1p-31 : 1;
   format.stream = {
-      .device = "stdin", .fs_Hz = header.fs_Hz, .channels = header.channels, .full_scale = whole ? 1.0 : 0.0};
+      .device = "stdin", .fs_Hz = header.fs_Hz, .channels = header.channels, .full_scale = integer ? 1.0 : 0.0};
   return format;
 }
 
-// Units and sensitivities of a set-up apply to the stored numbers: the scales of the header are then not used.
+// Whether a set-up states units or sensitivities. They apply to the stored numbers, so the scales of the header are
+// then not used.
 bool states_scales(const std::vector<ChannelSetup>& setup) {
   return std::any_of(setup.begin(), setup.end(), [](const ChannelSetup& channel) {
     return channel.unit.has_value() || channel.sensitivity_V_per_SI.has_value();
   });
 }
 
-// Takes the rate and the names. If `scaled`, each channel is in SI units, as in a file of the same bytes.
+// Takes the rate and the names. If `scaled`, also takes the scales: each channel is then in SI units, as in a file of
+// the same bytes.
 void take_calibration(const SoundCalibration& calibration, bool scaled, DeviceFormat& format) {
-  const bool whole = format.type == SampleType::int32;
+  const bool integer = format.type == SampleType::int32;
   StreamFormat& stream = format.stream;
   if (calibration.fs_Hz > 0) stream.fs_Hz = calibration.fs_Hz;
   for (const SoundCalibration::Signal& signal : calibration.signals) {
@@ -98,7 +101,7 @@ void take_calibration(const SoundCalibration& calibration, bool scaled, DeviceFo
     if (!scaled) continue;
     stream.units.emplace_back(si_name(signal.measures));
     format.scales.push_back(format.scale * signal.to_SI);
-    if (whole) stream.full_scales.push_back(std::abs(signal.to_SI));
+    if (integer) stream.full_scales.push_back(std::abs(signal.to_SI));
   }
 }
 

@@ -8,7 +8,7 @@
 
 namespace percuss::acquire {
 
-/// A device that is asked for its frames by a thread of its own. A derived class calls stop() in its destructor.
+/// A device with its own thread, which polls it for frames. A derived class calls stop() in its destructor.
 class PolledDevice : public Device {
  public:
   void start(FrameSink& sink) final;
@@ -22,7 +22,7 @@ class PolledDevice : public Device {
   /// Exceptions end the stream as failed.
   virtual void poll(FrameSink& sink) = 0;
   bool stopping() const { return stopping_.load(std::memory_order_relaxed); }
-  /// Writes frames in parts, each as soon as the sink has room. Frames are left out only when the device shall stop.
+  /// Writes frames in parts, each as soon as the sink has room. Drops frames only if the device is being stopped.
   void write_with_room(FrameSink& sink, std::span<const std::byte> frames, std::size_t frame_bytes) const;
   /// Sleeps briefly, so that the sink can make room.
   static void wait_shortly();

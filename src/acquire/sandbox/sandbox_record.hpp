@@ -21,7 +21,8 @@ Record sandboxed_record(Deserializer& in, const std::shared_ptr<SandboxProcess>&
 /// Parts of the description of a record, which the description of FRFs shares.
 void serialize_signal(Serializer& out, const SignalInfo& signal);
 SignalInfo deserialize_signal(Deserializer& in);
-/// A direction, or three NaN. The layout of serialize_signal, which the parts of a batch store, lacks it.
+/// A direction, or three NaN. It is not a part of serialize_signal, because stored parts of a batch have the layout of
+/// serialize_signal.
 void serialize_axis(Serializer& out, const std::optional<Direction>& axis);
 std::optional<Direction> deserialize_axis(Deserializer& in);
 void serialize_notes(Serializer& out, const std::vector<Message>& notes);
@@ -33,7 +34,7 @@ std::vector<TraceFace> deserialize_faces(Deserializer& in);
 void serialize_driving(Serializer& out, const std::vector<DrivingPlace>& driving);
 std::vector<DrivingPlace> deserialize_driving(Deserializer& in);
 
-// Checks of parts that a sandboxed process has described. It may be compromised.
+// Checks of the parts that a sandboxed process describes, because the process may be compromised.
 
 /// Whether every row of the geometry has the same 2 or 3 numbers, and the lines and faces connect its rows. Of a Record
 /// or an FrfRecord.

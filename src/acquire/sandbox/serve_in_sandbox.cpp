@@ -20,8 +20,8 @@ namespace {
 
 constexpr int kFailedExitCode = 12;
 
-// An exception where none may escape. The handler of the parent, which the child inherits, would print a second message
-// and remove the parent's temporary files.
+// The terminate handler of the child. The inherited handler of the parent would print a second message and remove the
+// parent's temporary files.
 [[noreturn]] void end_child() {
   const std::type_info* const type = abi::__cxa_current_exception_type();
   std::_Exit(type != nullptr && *type == typeid(std::bad_alloc) ? kNoMemoryExitCode : kFailedExitCode);

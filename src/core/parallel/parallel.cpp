@@ -31,7 +31,7 @@ void initialise_this_thread() {
 // see this order in the library; these counters make it visible.
 std::atomic<std::size_t> loops_begun{0}, tasks_ended{0};
 
-// Also counts a task that throws.
+// Counts an ended task, also one that throws.
 struct TaskEnd {
   ~TaskEnd() { tasks_ended.fetch_add(1, std::memory_order_release); }
 };
@@ -84,7 +84,7 @@ void set_thread_initialiser(void (*initialise)()) {
 void parallel_for_cost(std::size_t count, std::size_t flops, const Task& task) {
   const bool parallel = count > 1 && flops > kMinParallelFlops / count;
   parallel_for(count, parallel ? thread_limit : 1, [limit = thread_limit, &task](std::size_t i) {
-    const ThreadLimit same(limit);  // of loops within the task
+    const ThreadLimit inherited(limit);  // for loops within the task
     task(i);
   });
 }

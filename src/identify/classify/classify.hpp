@@ -19,7 +19,7 @@ struct ModeClassification {
   int order = 0;          // from 1 within the type; 0 for unknown
   double confidence = 0;  // posterior probability of `type`; for unknown, 1 − the larger of bending and hoop
   /// The second type, stated where `confidence` is below 0.9 or the second type's own probability is above 0.03. For
-  /// unknown, classify() states the likelier of bending and hoop. `unknown` stands for three waves.
+  /// unknown, classify() states the likelier of bending and hoop. The alternative `unknown` means three waves.
   std::optional<ModeType> alternative;
   std::optional<double> overlay_dB;   // level of the second FRF over the first at the peak
   bool overlaid = false;              // |overlay_dB| within the threshold: a hoop mode by the rule of [8]
@@ -55,7 +55,7 @@ struct SensorPair {
 /// two channels with an angle, and where all have the same angle.
 std::optional<SensorPair> pair_of_sensors(const std::vector<std::optional<double>>& angle_rad);
 
-/// Modes of each type below the analysed band: the orders within the band count on from them.
+/// The number of modes of each type below the analysed band. The first order within the band is one more.
 struct LowerOrders {
   int bending = 0, hoop = 0;
 };
@@ -64,12 +64,15 @@ struct LowerOrders {
 ///   bending in the plane ψ:      cos(θ₂ − ψ)/cos(θ₁ − ψ)             any value; tan ψ for 90°           (1)
 ///   hoop (n = 2), turned by θ₀:  cos 2(θ₂ − θ₀)/cos 2(θ₁ − θ₀)       −1 for 90°, whatever θ₀             (2)
 /// Both likelihoods include the errors of the ratio, of the sensors' placement and of the channels' gains. All modes
-/// are classified together (type_posterior.hpp). ModeClassification::alternative says when the second type is stated as
-/// well. Without sensors, for an `other` object, and where assumed angles do not fit the modes (tube_evidence.hpp), the
-/// modes keep an unknown type and no order. They also have no split mode, unless `object` is tube: split modes of a
-/// stated tube are marked without sensors too. overlay_dB[m] is the measured level difference at mode m's peak. source
-/// [8] section 3.6 for the overlay rule and the 25 Hz rule. Bending modes far above the lowest hoop mode may have three
-/// waves (three_waves.hpp). theory (6.1), (6.2), (6.3)
+/// are classified together (type_posterior.hpp). Bending modes far above the lowest hoop mode may have three waves
+/// (three_waves.hpp). ModeClassification::alternative says when the second type is stated as well.
+///
+/// Modes keep an unknown type and no order without sensors, for an `other` object, and if assumed angles do not fit the
+/// modes (tube_evidence.hpp). They also have no split mode, unless `object` is tube: split modes of a stated tube are
+/// marked without sensors too.
+/// overlay_dB  [modes] the measured level difference at the mode's peak
+/// source  [8] section 3.6 for the overlay rule and the 25 Hz rule
+/// theory (6.1), (6.2), (6.3)
 std::vector<ModeClassification> classify(const std::vector<Mode>& modes, const std::optional<SensorPair>& sensors,
                                          const std::vector<std::optional<double>>& overlay_dB,
                                          const ClassifyOptions& options = {});
@@ -81,9 +84,9 @@ void assign_orders(const std::vector<Mode>& modes, std::vector<ModeClassificatio
 /// The orders below the band, counted from the modes `below` it; `found` are the modes within the band. All hoop modes
 /// count. Bending modes are counted downwards from the lowest bending mode of the band to the first order: the mode
 /// whose upper neighbour has more than 2.3 times its frequency. On a tube, only the first two bending modes are so far
-/// apart; if the two lowest bending modes of the band are, none is below. A frequency less than 1/4.5 of its upper
-/// neighbour is motion on the suspension or hum: it ends the count and is not counted. The type of a lower mode counts
-/// from 90 % confidence on.
+/// apart; if the two lowest bending modes of the band are so far apart, no bending mode is below the band. A frequency
+/// less than 1/4.5 of its upper neighbour is motion on the suspension or hum: it ends the count and is not counted. A
+/// mode below the band counts only if the confidence of its type is at least 90 %.
 LowerOrders lower_orders(const std::vector<Mode>& below, const std::vector<ModeClassification>& below_types,
                          const std::vector<Mode>& found, const std::vector<ModeClassification>& types,
                          const ClassifyOptions& options);

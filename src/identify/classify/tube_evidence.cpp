@@ -13,7 +13,7 @@ using std::numbers::pi;
 constexpr std::size_t kTubePlanes = 45;  // 2° apart over 90°
 // Sum of the prior weights: 1 for bending, 1 for hoop, 0.05 for other types. RatioLikelihood::other() includes the
 // 0.05.
-constexpr double kPriors = 2.05;
+constexpr double kPriorSum = 2.05;
 
 // The likelihoods of one ratio for each plane and for each placement of the sensors.
 struct RatioTable {
@@ -35,7 +35,7 @@ RatioTable table_of(const RatioAngle& ratio, const RatioLikelihood& likelihood) 
 double log_factor(const std::vector<RatioTable>& tables, std::size_t plane, std::size_t placement) {
   double sum = 0;
   for (const RatioTable& table : tables)
-    sum += std::log(pi * (table.bending[plane] + table.hoop[placement] + table.other) / kPriors);
+    sum += std::log(pi * (table.bending[plane] + table.hoop[placement] + table.other) / kPriorSum);
   return sum;
 }
 
@@ -53,10 +53,10 @@ double log_tube_evidence(const std::vector<RatioAngle>& ratios, const RatioLikel
     for (std::size_t p = 0; p < kTubePlanes; ++p)
       logs.push_back(log_factor(tables, p, e) + std::log(RatioLikelihood::weight_of(e)));
   }
-  const double most = *std::max_element(logs.begin(), logs.end());
+  const double largest = *std::max_element(logs.begin(), logs.end());
   double sum = 0;
-  for (const double one : logs) sum += std::exp(one - most);
-  return most + std::log(sum / weights);
+  for (const double log : logs) sum += std::exp(log - largest);
+  return largest + std::log(sum / weights);
 }
 
 }  // namespace percuss::identify

@@ -32,10 +32,10 @@ WindowedHitPoles windowed_hit_poles(const FrfDataset& set, const HitFrfs& hits, 
 std::vector<double> without_imitating_modes(const FrfDataset& set, const HitFrfs& hits, const WindowedHitPoles& linear,
                                             const std::vector<double>& peak_N, const std::vector<Mode>& modes);
 
-/// Adds the scatter between the hits to the modes' standard deviations, and explains it by the hits' forces or their
-/// order, where it is significant. There the pole becomes the mean of the hits' own poles, because the average of
-/// different resonances is broader than each of them. If no point of a survey has several hits, only a law over the
-/// force or the order is significant. Modes ascend in frequency and include modes outside the band.
+/// Adds significant scatter between the hits to the modes' standard deviations, and explains it by a law over the hits'
+/// forces or their order. The pole then becomes the mean of the hits' own poles, because the average of different
+/// resonances is broader than each of them. If no point of a survey has several hits, scatter is significant only if it
+/// follows such a law. Modes ascend in frequency and include modes outside the band.
 /// linear  windowed_hit_poles of these modes
 /// peak_N  [hits] in the order of the test
 /// theory (4.19)

@@ -13,8 +13,8 @@ namespace {
 using Eigen::Index;
 
 constexpr double kMedianOfNoise = 0.693147;  // median of an exponential distribution: |complex Gaussian|²
-constexpr double kMinRelativeNoise =
-    1e-12;  // of the largest line: rounding noise of a noise-free FRF, so that no weight is infinite
+// Of the largest line: rounding noise. It keeps the weights of a noise-free FRF finite.
+constexpr double kMinRelativeNoise = 1e-12;
 constexpr double kMinPower = 1e-300;
 constexpr std::size_t kStride = 8;  // every eighth line is tested for the largest
 constexpr std::size_t kFlopsPerNoiseLine = 20;

@@ -9,13 +9,14 @@ namespace percuss::identify {
 WindowNoise::WindowNoise(const FrfDataset& set)
     : decay_per_s_(set.window_decay_per_s()), fall_(2 * decay_per_s_ / set.lines.df_Hz()) {}
 
-// The noise of lines m apart correlates by a/(a + 2πjm) where the window's power falls by exp(−a) over the record.
+// The noise of lines m apart has the correlation coefficient a/(a + 2πjm) if the window's power falls by exp(−a) over
+// the record. Its real part is needed here.
 double WindowNoise::roughness() const {
-  const auto common = [&](int apart) {
+  const auto correlation = [&](int apart) {
     const double turn = kTwoPi * apart;
     return fall_ * fall_ / (fall_ * fall_ + turn * turn);
   };
-  return fall_ > 0 ? kWhiteRoughness - 2 * common(1) + 0.5 * common(2) : kWhiteRoughness;
+  return fall_ > 0 ? kWhiteRoughness - 2 * correlation(1) + 0.5 * correlation(2) : kWhiteRoughness;
 }
 
 double WindowNoise::max_factor() const { return fall_ > 0 ? fall_ / -std::expm1(-fall_) : 1; }

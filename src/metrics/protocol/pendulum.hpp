@@ -5,15 +5,15 @@
 
 namespace percuss::metrics {
 
-/// A period with its standard error. Where there is none, `problem` states the reason.
+/// A period with its standard error. If there is no period, `problem` states the reason.
 struct PeriodEstimate {
   double period_s = 0, std_s = 0;
   std::string problem;
 };
 
 /// The mean of repeated readings of the period. The standard error combines the scatter of the n readings and the
-/// error of reading to `resolution_s`, each divided by √n. Equal readings have one rounding error in common. It is 0
-/// where neither is known.
+/// error of reading to `resolution_s`, each divided by √n. Equal readings share one rounding error, which is not
+/// divided by √n. The standard error is 0 if neither scatter nor resolution is known.
 PeriodEstimate mean_period(const std::vector<double>& periods_s, double resolution_s = 0);
 
 /// The period from the times at which a swinging bat crosses one light gate. Crossings in the two directions alternate.

@@ -21,7 +21,7 @@ struct ChannelDelay {
   double log_chance = 0;     // ln of the probability that phases without a delay fit a line as well
   /// The phase that the delay causes at highest_Hz, rad.
   double largest_phase() const;
-  /// The phases grow with frequency beyond doubt.
+  /// Whether the phases clearly follow a delay.
   bool established() const;
 };
 
@@ -47,10 +47,11 @@ std::optional<ChannelDelay> delay_of_phases(std::span<const ModePhase> phases);
 std::vector<ChannelDelay> delays_of_residues(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                                              std::size_t channels);
 
-/// As delays_of_residues. A delay of several periods falsifies the modes themselves. Where a channel's phases establish
-/// no delay and are in disorder (0.3 rad rms or more about zero, or too few), and the structure first moves more than
-/// one period of the highest mode after the force's onset, the channel's FRFs are corrected by the time of this first
-/// motion, and the modes are identified again.
+/// As delays_of_residues, also for delays of several periods, which falsify the modes themselves. The first motion of
+/// the structure then shows the delay. It is used for a channel if the channel's phases establish no delay and are in
+/// disorder (0.3 rad rms or more about zero, or too few), and if the first motion comes more than one period of the
+/// highest mode after the onset of the force. The channel's FRFs are then corrected by the time of the first motion,
+/// and the modes are identified again.
 std::vector<ChannelDelay> channel_delays(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                                          const std::vector<AnalysedHit>& hits, std::size_t channels);
 

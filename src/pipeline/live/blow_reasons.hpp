@@ -15,7 +15,7 @@ struct BlowReason {
 
 /// Samples that are lost, end early or are no numbers; a channel that is silent.
 BlowReason judge_capture(const BlowSamples& samples, const BlowCircumstances& at, const BlowContext& context);
-/// A run of equal samples that is too long to predict the motion in it. `hit`: of the blow alone.
+/// A run of equal samples that is too long to predict the motion in it. `hit`: from the analysis of this blow alone.
 BlowReason judge_dropouts(const acquire::Hit& hit, const BlowSamples& samples, const BlowContext& context);
 /// A signal that reached full scale.
 BlowReason judge_range(const BlowCircumstances& at, const BlowContext& context);
@@ -26,7 +26,8 @@ BlowReason judge_responses(const AnalysedHit& hit, const BlowCircumstances& at, 
 /// A structure that still moves. `motion`: motion_before() of the blow.
 BlowReason judge_motion(double motion, const BlowCircumstances& at);
 
-/// The largest motion before the blow that is above its noise, as a part of the response's beginning.
+/// The rms motion before the blow over the rms response just after it: the largest of the channels whose motion exceeds
+/// the noise. 0 without such a channel.
 double motion_before(const BlowSamples& samples, const BlowCircumstances& at);
 
 /// Why the analysis of all blows of the point rejects this one.

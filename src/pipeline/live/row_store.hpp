@@ -11,8 +11,8 @@
 
 namespace percuss::pipeline {
 
-/// Rows of equal length in a file without a name, so that memory does not grow with the session and a kill leaves
-/// nothing behind. The journal, not this file, keeps the samples safe. While the disk is full, rows wait in memory.
+/// Rows of equal length in an unlinked file, so that memory does not grow with the session and a kill leaves no file
+/// behind. The journal, not this file, protects the samples against loss. While the disk is full, rows wait in memory.
 class RowStore {
  public:
   static constexpr std::size_t kMaxWaiting_bytes = std::size_t{64} << 20U;
@@ -39,7 +39,7 @@ class RowStore {
   int file_ = -1;
   std::string folder_;
   std::size_t signals_, samples_ = 0, max_waiting_bytes_;
-  mutable std::mutex mutex_;                 // of the following
+  mutable std::mutex mutex_;                 // guards the members below
   std::size_t rows_ = 0;                     // written and waiting
   std::deque<std::vector<double>> waiting_;  // each [signals × samples]
 };

@@ -67,16 +67,16 @@ void SampleHistory::add(acquire::SampleBlock block) {
 }
 
 void SampleHistory::discard_before(std::uint64_t frame) {
-  // A lost frame reads as the value before it: the block before a loss stays.
+  // The block before a loss stays, because a lost frame reads as the value before it.
   while (blocks_.size() > 1 && end_of(blocks_.front()) <= frame && blocks_[1].first_frame <= frame) {
     blocks_.pop_front();
     first_ = blocks_.front().first_frame;
   }
-  const auto forget = [this](std::deque<SampleLoss>& losses) {
+  const auto discard = [this](std::deque<SampleLoss>& losses) {
     while (!losses.empty() && losses.front().frame + losses.front().frames < first_) losses.pop_front();
   };
-  forget(losses_);
-  for (auto& losses : no_numbers_) forget(losses);
+  discard(losses_);
+  for (auto& losses : no_numbers_) discard(losses);
 }
 
 void SampleHistory::read(std::size_t channel, std::uint64_t first, std::span<double> out) const {

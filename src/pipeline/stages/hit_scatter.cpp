@@ -25,21 +25,21 @@ void add_scatter_between_hits(const identify::FrfDataset& set, const TestSpectra
                               std::vector<identify::Mode>& modes) {
   const std::vector<std::size_t> used = comparable_hits(spectra);
   if (used.size() < 2) return;
-  const identify::HitFrfs& each = hits();
+  const identify::HitFrfs& hit_frfs = hits();
   std::vector<double> peak_N;
   peak_N.reserve(used.size());
   for (const std::size_t h : used) peak_N.push_back(spectra.hits[h].hit.peak_N);
-  identify::WindowedHitPoles linear = identify::windowed_hit_poles(set, each, modes);
+  identify::WindowedHitPoles linear = identify::windowed_hit_poles(set, hit_frfs, modes);
   if (!options.modes) {
-    const auto kept_Hz = identify::without_imitating_modes(set, each, linear, peak_N, modes);
+    const auto kept_Hz = identify::without_imitating_modes(set, hit_frfs, linear, peak_N, modes);
     if (!kept_Hz.empty() && all_are_kept(identify::modes_at_starts(set.lines, modes, options.start_Hz), kept_Hz)) {
       modes = identify::modes_from_frequencies(set, kept_Hz, options.effort);
       search();
-      linear = identify::windowed_hit_poles(set, each, modes);
+      linear = identify::windowed_hit_poles(set, hit_frfs, modes);
     }
   }
-  identify::add_hit_scatter(set, each, linear, peak_N, modes);
-  identify::add_residue_scatter(set, each, linear, modes);
+  identify::add_hit_scatter(set, hit_frfs, linear, peak_N, modes);
+  identify::add_residue_scatter(set, hit_frfs, linear, modes);
 }
 
 }  // namespace percuss::pipeline

@@ -20,10 +20,10 @@ std::string study_csv(const metrics::Study& study, CsvFormulas formulas) {
       } else {
         out += ",,,,,,,,";
       }
-      const auto end = [](double slope) { return std::isfinite(slope) ? fmt::format("{}", slope) : ""; };
-      out += one.trend
-                 ? fmt::format(",{},{},{},", one.trend->slope, end(one.trend->slope_low), end(one.trend->slope_high))
-                 : ",,,,";
+      const auto bound = [](double slope) { return std::isfinite(slope) ? fmt::format("{}", slope) : ""; };
+      out += one.trend ? fmt::format(",{},{},{},", one.trend->slope, bound(one.trend->slope_low),
+                                     bound(one.trend->slope_high))
+                       : ",,,,";
       std::string names;
       for (const std::size_t b : one.outliers) names += (names.empty() ? "" : " ") + study.bats[b].id;
       out += csv_cell(names, formulas) + "\n";

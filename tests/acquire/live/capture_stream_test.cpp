@@ -43,7 +43,7 @@ std::unique_ptr<Device> at_speed(int speed, const std::string& description) {
 
 constexpr std::uint64_t kCounterRange = std::uint64_t{1} << 24U;
 
-/// What a reader saw of a stream whose last channel counts the frames.
+/// The frames that a reader received from a stream whose last channel counts the frames.
 struct Seen {
   std::uint64_t frames = 0, wrong = 0, jumps = 0, lost = 0, after_loss = 0, next = 0;
   bool begun = false;

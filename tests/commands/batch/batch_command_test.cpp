@@ -285,8 +285,8 @@ TEST_F(BatchCommand, SaysWhereAllFailedRecordsStand) {
   const auto ran = run();
   EXPECT_THAT(ran.err, HasSubstr("percuss: and 2 more; all of them, with their reasons, are the rows of "
                                  "out/part-*.jsonl whose code is not 0\n"));
-  const auto merged = batch({"merge", "--manifest", "m.jsonl", "out", "-o", "all.csv"});
-  EXPECT_THAT(merged.err, HasSubstr("are the rows of all.csv whose code is not 0\n"));
+  const auto merging = batch({"merge", "--manifest", "m.jsonl", "out", "-o", "all.csv"});
+  EXPECT_THAT(merging.err, HasSubstr("are the rows of all.csv whose code is not 0\n"));
   EXPECT_EQ(lines_of(bytes_of(folder_.file("all.csv"))).size(), 13U) << "a heading and a row for each record";
 }
 
@@ -322,10 +322,10 @@ TEST_F(BatchCommand, RejectsOptionsAsAnalyzeDoes) {
     std::vector<std::string> analyze{"analyze", "recs/a.h5"}, plan{"batch", "plan", "recs/a.h5", "-o", "m.jsonl"};
     analyze.insert(analyze.end(), options.begin(), options.end());
     plan.insert(plan.end(), options.begin(), options.end());
-    const auto one = percuss(analyze), other = percuss(plan);
-    EXPECT_NE(one.code, 0);
-    EXPECT_EQ(other.code, one.code);
-    EXPECT_EQ(other.err, one.err);
+    const auto analysed = percuss(analyze), planned = percuss(plan);
+    EXPECT_NE(analysed.code, 0);
+    EXPECT_EQ(planned.code, analysed.code);
+    EXPECT_EQ(planned.err, analysed.err);
     EXPECT_FALSE(fs::exists(folder_.file("m.jsonl")));
   }
 }

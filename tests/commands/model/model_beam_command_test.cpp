@@ -3,6 +3,7 @@
 
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
+#include "support/rejection.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace percuss::model_beam_command_test {
@@ -145,10 +146,7 @@ TEST(ModelBeamCommand, NamesTheInvalidOption) {
                                                {"--static", "10:0.5:0.002", "--torsion", "5"}}) {
     Words arguments{"model", "beam"};
     arguments.insert(arguments.end(), words.begin(), words.end());
-    const auto outcome = run_percuss(arguments);
-    EXPECT_EQ(outcome.code, 2) << testing::PrintToString(words);
-    EXPECT_THAT(outcome.err, HasSubstr(words[0]));
-    EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
+    test::expect_usage_error(arguments, words[0]);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "support/files/csv_columns.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
+#include "support/rejection.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace percuss::model_impact_command_test {
@@ -123,10 +124,7 @@ TEST(ModelImpactCommand, RefusesOptionsOfAUniformBeamBesideATable) {
                                                {"--at", "0.6"}}) {
     Words arguments{"model", "impact", "--profile", folder.file("beam.csv"), "--young", "1e10", "--density", "600"};
     arguments.insert(arguments.end(), words.begin(), words.end());
-    const auto outcome = run_percuss(arguments);
-    EXPECT_EQ(outcome.code, 2) << testing::PrintToString(words);
-    EXPECT_THAT(outcome.err, HasSubstr(words[0]));
-    EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
+    test::expect_usage_error(arguments, words[0]);
   }
   for (const Words& words : std::vector<Words>{{"--young", "1e10"}, {"--density", "600"}, {"--add-mass", "0.1:0.2"}}) {
     Words arguments{"model", "impact"};
@@ -240,10 +238,7 @@ TEST(ModelImpactCommand, NamesTheInvalidOption) {
                                                {"--sweep", "torsion=1:1:2", "--support", "free"}}) {
     Words arguments{"model", "impact"};
     arguments.insert(arguments.end(), words.begin(), words.end());
-    const auto outcome = run_percuss(arguments);
-    EXPECT_EQ(outcome.code, 2) << testing::PrintToString(words);
-    EXPECT_THAT(outcome.err, HasSubstr(words[0]));
-    EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
+    test::expect_usage_error(arguments, words[0]);
   }
 }
 

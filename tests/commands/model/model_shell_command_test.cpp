@@ -3,12 +3,12 @@
 
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
+#include "support/rejection.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace percuss::model_shell_command_test {
 
 using test::run_percuss;
-using testing::HasSubstr;
 
 nlohmann::json document_of(std::vector<std::string> options) {
   options.insert(options.begin(), {"model", "shell", "--json"});
@@ -54,10 +54,7 @@ TEST(ModelShellCommand, NamesTheInvalidOption) {
                                                                                       {"--measured", "2:1:1700"},
                                                                                       {"--measured", "1:1:1700:5"},
                                                                                       {"--fit", "ring"}}) {
-    const auto outcome = run_percuss({"model", "shell", option, value});
-    EXPECT_EQ(outcome.code, 2) << option;
-    EXPECT_THAT(outcome.err, HasSubstr(option));
-    EXPECT_EQ(test::lines_of(outcome.err).size(), 1U) << outcome.err;
+    test::expect_usage_error({"model", "shell", option, value}, option);
   }
 }
 

@@ -14,7 +14,7 @@ using std::numbers::pi;
 
 constexpr double kDecisive = 6;  // as the warnings take it
 constexpr double kReversed = -1;
-constexpr double kOfOtherTypes = 0.01;  // breathing modes have a sign; they are rare
+constexpr double kOtherTypes = 0.01;  // of other types: breathing modes have a sign, but are rare
 
 struct Found {
   double freq_Hz = 0, ratio = 0;
@@ -65,9 +65,9 @@ TEST(FaultEvidence, IsNoneForTheHoopModesOfABatStruckInLineWithASensor) {
         EXPECT_LT(evidence_for(unit, bat), 0) << blow_deg;
         EXPECT_LT(evidence_for(1 / unit, bat), 0) << blow_deg;
       }
-      // Only hoop modes tell: without them, either sign is as likely.
+      // Only hoop modes show the sign. Without them, both signs are equally likely.
       const std::vector<Found> bending(bat.begin(), bat.begin() + 3);
-      EXPECT_NEAR(evidence_for(kReversed, bending), 0, kOfOtherTypes);
+      EXPECT_NEAR(evidence_for(kReversed, bending), 0, kOtherTypes);
     }
   }
 }
@@ -77,10 +77,10 @@ TEST(FaultEvidence, NamesAReversedSensorOfABatStruckObliquely) {
     EXPECT_GT(evidence_for(kReversed, round_bat(blow_deg, false), kReversed), kDecisive) << blow_deg;
     EXPECT_GT(evidence_for(kReversed, round_bat(blow_deg, true), kReversed), kDecisive) << blow_deg;
   }
-  // Halfway between the sensors, bending has the ratio of hoop modes. Split hoop modes tell, because the planes of a
-  // bending mode are at right angles.
+  // Halfway between the sensors, bending has the ratio of hoop modes. Split hoop modes still show the sign: their two
+  // members have the same ratio, but the planes of a bending mode are at right angles.
   EXPECT_GT(evidence_for(kReversed, round_bat(45, true), kReversed), kDecisive);
-  // So does a bat that bends in two planes.
+  // A bat that bends in two planes shows the sign, too.
   EXPECT_GT(evidence_for(kReversed,
                          {{172, 0.47}, {174, -2.1}, {588, 0.45}, {595, -2.2}, {1850, -1}, {1865, -1}, {2620, -0.99}},
                          kReversed),

@@ -145,7 +145,7 @@ TEST(ThreeWaves, LeaveTheNumberOfALaterOrderOpen) {
   EXPECT_LT(found.types[7].confidence, 0.9);
 }
 
-// At other angles the ratio tells: sensors 60° apart see three waves with the ratio −1.
+// At other angles the ratio distinguishes the types: sensors 60° apart see three waves with the ratio −1.
 TEST(ThreeWaves, AreToldByTheRatioAtOtherAngles) {
   const auto mode = [](double first, double second) {
     return Mode{

@@ -60,7 +60,7 @@ TEST(HitScatter, DoesNotTakeMisfitForHitsThatDifferWhereEachPointHasOneHit) {
   EXPECT_EQ(modes[0].damping_std_parts.hits, 0);
 }
 
-// A drift shows all the same.
+// A drift from hit to hit is found without repeated hits of a point.
 TEST(HitScatter, FindsADriftWhereEachPointHasOneHit) {
   const SingleHits hits(12, 1, kNoise, [](FrfDataset& one, std::size_t point, std::size_t) {
     const double change = 1e-4 * static_cast<double>(point);

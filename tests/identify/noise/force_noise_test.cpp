@@ -68,9 +68,9 @@ TEST(GainErrors, HaveTheCovarianceOfTheNoiseInTheGate) {
 TEST(GainErrors, AgreeWithTheStandardDeviationOfOneLine) {
   const FrfDataset set = gated_hit();
   const Eigen::MatrixXcd errors = gain_errors(set, 0, all_lines(set));
-  const double whole = errors.row(4000).squaredNorm();
-  const double one = gain_std(set, 0, set.lines.freq_Hz(4000));
-  EXPECT_LE(std::abs(whole / (2 * one * one) - 1), 1e-9);
+  const double variance = errors.row(4000).squaredNorm();  // of the complex error
+  const double std = gain_std(set, 0, set.lines.freq_Hz(4000));
+  EXPECT_LE(std::abs(variance / (2 * std * std) - 1), 1e-9);
 }
 
 // gated_hit() with a short gate: from four samples before the pulse to four samples after it.
@@ -122,7 +122,7 @@ TEST(GainAmplitude, HasTheStandardDeviationOfTheRealPart) {
 TEST(GainAmplitude, HoldsNearlyAllOfTheErrorAtLowFrequencies) {
   const FrfDataset set = briefly_gated_hit();
   const double low_Hz = set.lines.freq_Hz(10);
-  // gain_std() is √½ of the whole error: the factor would be √2 if all of it were real.
+  // gain_std() is √½ of the complex error. The factor would be √2 if the error were real.
   EXPECT_GT(gain_amplitude_std(set, 0, low_Hz), 1.38 * gain_std(set, 0, low_Hz));
 }
 

@@ -17,15 +17,15 @@ namespace percuss::identify::line_noise_test {
 // Five standard deviations of the median over 73 blocks, where the noise of a block is itself the median of 32 second
 // differences (of the last block: 56).
 constexpr double kTolerance = 0.1;
-constexpr double kPart = 0.01;  // standard deviation of a real part
-constexpr double kWhole = kPart * std::numbers::sqrt2;
+constexpr double kRealStd = 0.01;  // of a real part
+constexpr double kComplexStd = kRealStd * std::numbers::sqrt2;
 constexpr Pole kMode{.freq_Hz = 800, .damping_ratio = 0.004};
 
 FrfDataset noisy_mode() {
   FrfDataset set = test::empty_set(8192, 16384, 40, 2400, 2);
   test::add_mode(set, 0, kMode, 1);
   test::add_mode(set, 1, kMode, 0.3);
-  test::add_frf_noise(set, kPart, 1);
+  test::add_frf_noise(set, kRealStd, 1);
   return set;
 }
 
@@ -36,7 +36,7 @@ TEST(LineNoise, DoesNotDependOnResonances) {
   const FrfDataset set = noisy_mode();
   const LineNoise noise(set);
   for (std::size_t channel = 0; channel < 2; ++channel) {
-    EXPECT_NEAR(noise.at(channel, 100) / kWhole, 1, kTolerance);
+    EXPECT_NEAR(noise.at(channel, 100) / kComplexStd, 1, kTolerance);
     EXPECT_NEAR(noise.at(channel, 100), noise.at(channel, 4000), 1e-12);  // a force of one sample has a white spectrum
     EXPECT_NEAR(noise.over(0, set.lines.count)(static_cast<Eigen::Index>(channel)), noise.at(channel, 0), 1e-12);
   }
@@ -50,7 +50,7 @@ TEST(LineNoise, IsInverselyProportionalToTheForce) {
   }
   const LineNoise noise(set);
   for (const std::size_t line : {0U, 1000U, 4000U})
-    EXPECT_NEAR(noise.at(1, line) * amplitude(line) / kWhole, 1, kTolerance) << line;
+    EXPECT_NEAR(noise.at(1, line) * amplitude(line) / kComplexStd, 1, kTolerance) << line;
   // Over a range of lines: the noise at the mean power of the force.
   const double power = (std::pow(amplitude(2000), 2) + std::pow(amplitude(2001), 2)) / 2;
   EXPECT_NEAR(noise.over(2000, 2)(0) / (noise.at(0, 0) / std::sqrt(power)), 1, 1e-9);
@@ -60,7 +60,7 @@ TEST(LineNoise, IsWhiteWhereTheForceIsUnknown) {
   FrfDataset set = noisy_mode();
   set.points[0].ff.clear();
   const LineNoise noise(set);
-  EXPECT_NEAR(noise.at(0, 7) / kWhole, 1, kTolerance);
+  EXPECT_NEAR(noise.at(0, 7) / kComplexStd, 1, kTolerance);
   EXPECT_EQ(noise.over(10, 20)(0), noise.at(0, 7));
 }
 

@@ -39,10 +39,11 @@ std::complex<double> sum(double decay_per_s, int power, double mode_decay_per_s,
 
 TEST(WindowNoise, HasTheRoughnessOfCorrelatedLines) {
   for (const double decay_per_s : {0.3, 4.6, 20.0}) {
-    const auto common = [&](int apart) {
+    const auto correlation = [&](int apart) {
       return (sum(decay_per_s, 2, 0, 0, apart) / sum(decay_per_s, 2, 0, 0, 0)).real();
     };
-    EXPECT_NEAR(WindowNoise(windowed(decay_per_s)).roughness(), 1.5 - 2 * common(1) + 0.5 * common(2), kSampled);
+    EXPECT_NEAR(WindowNoise(windowed(decay_per_s)).roughness(), 1.5 - 2 * correlation(1) + 0.5 * correlation(2),
+                kSampled);
   }
 }
 
@@ -52,13 +53,13 @@ TEST(WindowNoise, HasTheFactorsOfWeightedLeastSquaresOverTime) {
   for (const double decay_per_s : {2.0, 4.6, 20.0}) {
     const WindowNoise noise(windowed(decay_per_s));
     const double mean = sum(decay_per_s, 2, 0, 0, 0).real() / kSamples;
-    // The fit of a residue (growth 0) and a pole (growth 1) with equal weights, and the covariance of what it finds.
+    // The fit of a residue (growth 0) and a pole (growth 1) with equal weights, and the covariance of its results.
     const auto moments = [&](int power) {
-      Eigen::Matrix2d of;
+      Eigen::Matrix2d matrix;
       for (int i = 0; i < 2; ++i) {
-        for (int j = 0; j < 2; ++j) of(i, j) = sum(decay_per_s, power, mode_decay_per_s, i + j, 0).real();
+        for (int j = 0; j < 2; ++j) matrix(i, j) = sum(decay_per_s, power, mode_decay_per_s, i + j, 0).real();
       }
-      return of;
+      return matrix;
     };
     const Eigen::Matrix2d normal = moments(2), noisy = moments(4), inverse = normal.inverse();
     const Eigen::Matrix2d covariance = inverse * noisy * inverse / mean;
@@ -87,9 +88,8 @@ TEST(WindowNoise, IsWhiteWithoutAWindow) {
 // would be half of the true ones.
 TEST(WindowNoise, LetsFitsFindTheModesAndTheirStandardDeviations) {
   constexpr std::size_t kRecords = 12;
-  constexpr double
-      kMin = 0.65,
-      kMax = 1.4;  // a standard deviation from 72 values is accurate to 8 %: four times that, and the model error
+  // A standard deviation from 72 values is accurate to 8 %. The limits are four times this, and the error of the model.
+  constexpr double kMin = 0.65, kMax = 1.4;
   const std::vector<double> freq_Hz{165, 568, 1177}, damping_ratio{0.01, 0.007, 0.006};
   double squares = 0;
   for (std::size_t seed = 0; seed < kRecords; ++seed) {

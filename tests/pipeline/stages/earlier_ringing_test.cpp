@@ -40,9 +40,9 @@ std::vector<double> deviates_of(const Analysis& analysis, const synth::Truth& tr
   for (std::size_t m = 0; m < analysis.modes().size(); ++m) {
     for (const identify::Residue& residue : analysis.modes()[m].residues) {
       const double std = std::hypot(residue.std, residue.relative_std * std::abs(residue.value));
-      const Complex off = residue.value - truth.residue_per_kg[residue.point][residue.channel][m];
-      out.push_back(off.real() / std);
-      out.push_back(off.imag() / std);
+      const Complex error = residue.value - truth.residue_per_kg[residue.point][residue.channel][m];
+      out.push_back(error.real() / std);
+      out.push_back(error.imag() / std);
     }
   }
   return out;
@@ -92,7 +92,7 @@ TEST(EarlierRinging, IsStatedWhereItWasSubtracted) {
   EXPECT_THAT(test::codes_of(analysis.warnings()), Not(Contains("not_at_rest")));
 }
 
-// The blow that is left out excites the structure all the same.
+// A rejected blow also excites the structure.
 TEST(EarlierRinging, ComesFromRejectedBlowsToo) {
   const auto test = struck_at({0.2, 0.9, 1.6}, 2);
   const Analysis analysis(test.record, {.band_Hz = std::pair{60.0, 1000.0}, .reject_hits = {0}, .threads = 1});

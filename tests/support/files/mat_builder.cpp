@@ -17,6 +17,11 @@ matvar_t* array_of(const std::string& name, std::vector<std::size_t> shape, cons
                        const_cast<double*>(values.data()), 0);
 }
 
+matvar_t* text_variable(const char* name, const std::string& text) {
+  std::array<std::size_t, 2> dims{1, text.size()};
+  return Mat_VarCreate(name, MAT_C_CHAR, MAT_T_UTF8, 2, dims.data(), const_cast<char*>(text.data()), 0);
+}
+
 }  // namespace
 
 MatBuilder::MatBuilder(const std::string& path, MatLevel level)
@@ -38,8 +43,7 @@ void MatBuilder::write(void* variable) {
 
 MatBuilder& MatBuilder::numbers(const std::string& name, const std::vector<std::size_t>& shape,
                                 const std::vector<double>& values) {
-  matvar_t* const variable = array_of(name, shape, values);
-  write(variable);
+  write(array_of(name, shape, values));
   return *this;
 }
 
@@ -77,10 +81,7 @@ MatBuilder& MatBuilder::complex(const std::string& name, const std::vector<std::
 }
 
 MatBuilder& MatBuilder::text(const std::string& name, const std::string& text) {
-  std::array<std::size_t, 2> dims{1, text.size()};
-  matvar_t* const variable =
-      Mat_VarCreate(name.c_str(), MAT_C_CHAR, MAT_T_UTF8, 2, dims.data(), const_cast<char*>(text.data()), 0);
-  write(variable);
+  write(text_variable(name.c_str(), text));
   return *this;
 }
 
@@ -106,15 +107,12 @@ MatBuilder& MatBuilder::channels(const std::string& name, const std::vector<MatC
   std::array<const char*, 3> fields{"name", "data", "unit"};
   std::array<std::size_t, 2> dims{1, channels.size()};
   matvar_t* const variable = Mat_VarCreateStruct(name.c_str(), 2, dims.data(), fields.data(), fields.size());
-  const auto text_of = [](const char* field, const std::string& text) {
-    std::array<std::size_t, 2> size{1, text.size()};
-    return Mat_VarCreate(field, MAT_C_CHAR, MAT_T_UTF8, 2, size.data(), const_cast<char*>(text.data()), 0);
-  };
+
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const MatChannel& channel = channels[c];
-    Mat_VarSetStructFieldByIndex(variable, 0, c, text_of("name", channel.name));
+    Mat_VarSetStructFieldByIndex(variable, 0, c, text_variable("name", channel.name));
     Mat_VarSetStructFieldByIndex(variable, 1, c, array_of("data", {1, channel.data.size()}, channel.data));
-    Mat_VarSetStructFieldByIndex(variable, 2, c, text_of("unit", channel.unit));
+    Mat_VarSetStructFieldByIndex(variable, 2, c, text_variable("unit", channel.unit));
   }
   write(variable);
   return *this;

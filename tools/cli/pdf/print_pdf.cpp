@@ -84,8 +84,8 @@ pid_t start(const std::vector<std::string>& words, const std::string& where) {
   return child;
 }
 
-// Whether the program ended by itself within kMaxTime; kills it and its children otherwise.
-bool ended(pid_t child) {
+// Waits for the program. Returns false if it takes longer than kMaxTime; then kills it and its children.
+bool ended_in_time(pid_t child) {
   const auto began = std::chrono::steady_clock::now();
   int status = 0;
   while (::waitpid(child, &status, WNOHANG) == 0) {
@@ -127,7 +127,7 @@ std::string printed_pdf(const std::string& html, const std::string& where) {
   page << html;
   page.close();
   if (!page) throw InputError("cannot write the page for the browser", folder.file("page.html"), "free some room");
-  if (!ended(start(browser_arguments(browser, folder), where)))
+  if (!ended_in_time(start(browser_arguments(browser, folder), where)))
     throw InputError("the browser took more than a minute", where, "write .html and print it from a browser");
   std::error_code ignored;
   if (!std::filesystem::exists(folder.file("page.pdf"), ignored))

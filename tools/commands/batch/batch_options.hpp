@@ -21,7 +21,7 @@ void add_batch_options(Command& command, BatchOptions& options);
 /// `options.read.paths` are the records. Throws UsageError and InputError as percuss analyze does.
 void store_batch_options(const Command& command, const BatchOptions& options, batch::BatchHeader& head);
 
-/// Reads the options from a manifest, which may hold anything. Throws InputError with the path of the manifest.
+/// Reads the options from a manifest. Throws InputError with the path of the manifest if they are invalid.
 batch::RowOptions row_options(const batch::Manifest& manifest, bool trust_input);
 
 }  // namespace percuss::tools

@@ -7,7 +7,7 @@
 
 namespace percuss::tools {
 
-/// The table of recording devices for people, or what to do where there is none.
+/// The table of recording devices as text, or advice if there is none.
 std::string devices_text(const std::vector<acquire::ListedDevice>& devices, std::size_t width);
 
 }  // namespace percuss::tools

@@ -56,6 +56,17 @@ double now_s() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+// Restores the mode of the terminal and the earlier handler of the signal, and raises the signal again.
+template <std::size_t count>
+void raise_with_handlers_of(const std::array<int, count>& signals, const std::array<struct sigaction, count>& before,
+                            int signal) {
+  restore_mode();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (signals[i] == signal) ::sigaction(signal, &before[i], nullptr);
+  }
+  std::raise(signal);
+}
+
 // `timeout` and shells send a signal to the process and to its group: a copy within half a second is the same signal.
 extern "C" void finish_session(int signal) {
   if (arrived_signal == 0) {
@@ -63,23 +74,12 @@ extern "C" void finish_session(int signal) {
     arrived_signal = signal;
     return;
   }
-  constexpr double kAnother_s = 0.5;
-  if (now_s() - arrived_s < kAnother_s) return;
-  restore_mode();
-  for (std::size_t i = 0; i < kFinishing.size(); ++i) {
-    if (kFinishing[i] == signal) ::sigaction(signal, &before_finishing[i], nullptr);
-  }
-  std::raise(signal);
+  constexpr double kSameSignal_s = 0.5;
+  if (now_s() - arrived_s < kSameSignal_s) return;
+  raise_with_handlers_of(kFinishing, before_finishing, signal);
 }
 
-// Restores the terminal, then lets the signal do what it did before.
-extern "C" void restore_and_raise(int signal) {
-  restore_mode();
-  for (std::size_t i = 0; i < kFatal.size(); ++i) {
-    if (kFatal[i] == signal) ::sigaction(signal, &before_fatal[i], nullptr);
-  }
-  std::raise(signal);
-}
+extern "C" void raise_fatal(int signal) { raise_with_handlers_of(kFatal, before_fatal, signal); }
 
 void install(int signal, void (*handler)(int), struct sigaction* before) {
   struct sigaction action {};
@@ -105,7 +105,7 @@ extern "C" void stop_process(int signal) {
   errno = kept_errno;
 }
 
-// After a stop in the background, or by SIGSTOP.
+// Sets the raw mode again after a stop in the background, or by SIGSTOP.
 extern "C" void continue_raw(int /*signal*/) {
   const int kept_errno = errno;
   apply_raw_mode();
@@ -120,13 +120,13 @@ void enter_raw_mode(int terminal) {
   mode_is_saved = 0;
   static const int kRegistered = std::atexit(restore_mode);
   static_cast<void>(kRegistered);
-  for (std::size_t i = 0; i < kFatal.size(); ++i) install(kFatal[i], restore_and_raise, &before_fatal[i]);
+  for (std::size_t i = 0; i < kFatal.size(); ++i) install(kFatal[i], raise_fatal, &before_fatal[i]);
   install(SIGTSTP, stop_process, &before_stop);
   install(SIGCONT, continue_raw, &before_continue);
   renew_raw_mode();
 }
 
-// In the background, the shell's own line editor sets the mode.
+// Does nothing in the background, where the line editor of the shell sets the mode.
 void renew_raw_mode() {
   if (raw_terminal < 0 || !in_foreground(raw_terminal)) return;
   if (mode_is_saved == 0 && ::tcgetattr(raw_terminal, &saved_mode) == 0) mode_is_saved = 1;
@@ -135,12 +135,13 @@ void renew_raw_mode() {
 
 void leave_raw_mode() {
   if (raw_terminal < 0) return;
-  constexpr double kPatience_s = 2;
-  constexpr useconds_t kLook_us = 5000;
-  const double until_s = now_s() + kPatience_s;
-  int waiting = 0;
-  while (::ioctl(raw_terminal, TIOCOUTQ, &waiting) == 0 && waiting > 0 && now_s() < until_s) ::usleep(kLook_us);
-  restore_mode();  // TCSADRAIN might wait for ever
+  constexpr double kMaxDrain_s = 2;  // TCSADRAIN has no limit
+  constexpr useconds_t kPollInterval_us = 5000;
+  const double until_s = now_s() + kMaxDrain_s;
+  int unsent_bytes = 0;
+  while (::ioctl(raw_terminal, TIOCOUTQ, &unsent_bytes) == 0 && unsent_bytes > 0 && now_s() < until_s)
+    ::usleep(kPollInterval_us);
+  restore_mode();
   raw_terminal = -1;
   for (std::size_t i = 0; i < kFatal.size(); ++i) ::sigaction(kFatal[i], &before_fatal[i], nullptr);
   ::sigaction(SIGTSTP, &before_stop, nullptr);

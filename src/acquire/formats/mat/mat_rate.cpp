@@ -18,7 +18,7 @@ namespace percuss::acquire {
 namespace {
 
 constexpr double kSingleEpsilon = static_cast<double>(std::numeric_limits<float>::epsilon());
-constexpr double kSameRates = 1e-6;  // relative: single precision
+constexpr double kRateTolerance = 1e-6;  // relative: single precision
 
 bool is_time_vector(const MatVariable& variable) {
   const std::string name = bare_name(field_name(variable.name));
@@ -27,7 +27,7 @@ bool is_time_vector(const MatVariable& variable) {
   return named && !variable.is_text && !variable.is_complex() && is_mat_vector(variable);
 }
 
-// The number of a scalar, or the common one of a field of a struct array.
+// The value of a scalar, or of a field of a struct array if all its values are equal.
 std::optional<double> single_number(const MatVariable& variable) {
   if (variable.size() == 0 || variable.is_text || variable.is_complex()) return std::nullopt;
   const double first = variable.real.front();
@@ -35,12 +35,14 @@ std::optional<double> single_number(const MatVariable& variable) {
   return alike ? std::optional(first) : std::nullopt;
 }
 
-// `named`: the user chose this variable for the times.
+// `named`: the options name this variable.
 double rate_of_times_Hz(const MatFile& file, const MatVariable& variable, bool named) {
   const std::string where = file.path + ": " + variable.name;
   const std::optional<double> to_s = s_per_unit(unit_in(file, variable.name));
   std::vector<double> times_s = variable.real;
-  if (to_s) std::for_each(times_s.begin(), times_s.end(), [&](double& t) { t *= *to_s; });
+  if (to_s) {
+    for (double& t : times_s) t *= *to_s;
+  }
   double largest = 0;
   for (const double t_s : times_s) largest = std::max(largest, std::abs(t_s));
   // Times may have been stored in single precision.
@@ -78,6 +80,7 @@ std::optional<double> mat_number(const MatFile& file, std::initializer_list<std:
   for (const std::string_view wanted : names) {
     for (const MatVariable& variable : file.variables) {
       const std::string lower = lower_case(field_name(variable.name)), name = bare_name(lower);
+      // A long name may have a prefix, such as force_samplerate. Short ones ("fs", "dt") also end other words.
       const bool ending = lower.size() > wanted.size() && name.ends_with(wanted) && wanted.size() > 4;
       if (name != wanted && !ending) continue;
       const std::optional<double> number = single_number(variable);
@@ -110,7 +113,7 @@ std::optional<double> mat_rate_Hz(const MatFile& file, const ReadOptions& option
   const auto dt_s = mat_number(file, {"dt", "dts", "deltat", "sampletime", "samplinginterval", "sampleinterval"});
   if (!found_Hz && dt_s && *dt_s > 0) found_Hz = 1 / *dt_s;
   if (found_Hz) checked_rate_Hz(*found_Hz, file.path);
-  if (found_Hz && dt_s && !(std::abs(*found_Hz * *dt_s - 1) <= kSameRates)) {
+  if (found_Hz && dt_s && !(std::abs(*found_Hz * *dt_s - 1) <= kRateTolerance)) {
     throw InputError(fmt::format("a rate of {} Hz, and {} s between samples", *found_Hz, *dt_s), file.path,
                      "state the right one", {"fs"});
   }

@@ -107,7 +107,7 @@ Frequencies frequencies_in(const MatFile& file) {
   return out;
 }
 
-// The lines of a file without a frequency for each of them.
+// The lines of a file that does not list their frequencies.
 LineRange lines_without_frequencies(const MatFile& file, const FrfReadOptions& options, std::size_t lines) {
   auto df_Hz = options.read.df_Hz;
   if (!df_Hz) df_Hz = mat_number(file, {"df", "dfhz", "deltaf", "freqspacing", "frequencyresolution"});
@@ -184,7 +184,7 @@ std::vector<int> point_numbers_in(const MatFile& file, const MatVariable& frf, s
 
 void read_frfs(const MatFile& file, const MatVariable& frf, const MatFrfLayout& layout, StoredFrfs& out) {
   const std::vector<int> points = point_numbers_in(file, frf, layout.points);
-  const MatVariable* const std = companion_of(file, frf, "frf_std", out);
+  const MatVariable* const deviations = companion_of(file, frf, "frf_std", out);
   const MatVariable* const coherence = coherence_of(file, frf, out);
   const auto averages = mat_number(file, {"averages"}).value_or(0);
   for (std::size_t p = 0; p < layout.points; ++p) {
@@ -195,7 +195,7 @@ void read_frfs(const MatFile& file, const MatVariable& frf, const MatFrfLayout& 
         const std::size_t at = layout.at(p, c, k);
         stored.value[k] = {frf.real[at], frf.imaginary[at]};
       }
-      stored.std = values_of(file, std, layout, p, c);
+      stored.std = values_of(file, deviations, layout, p, c);
       stored.coherence = values_of(file, coherence, layout, p, c);
       stored.averages = averages > 0 && averages <= kMaxAverages ? static_cast<std::size_t>(averages) : 0;
       out.frfs.push_back(std::move(stored));
@@ -213,6 +213,27 @@ void describe_mat_channels(const MatFile& file, const MatVariable& frf, std::siz
   }
 }
 
+// The complex array that options.read names; nullptr without one.
+const MatVariable* named_frf(const MatFile& file, const ReadOptions& options) {
+  if (options.accel_channels.size() != 1) return nullptr;
+  const MatVariable* const named = find_variable(file, options.accel_channels.front());
+  return named != nullptr && named->is_complex() ? named : nullptr;
+}
+
+void require_frf_size(const MatFile& file, const MatVariable& frf, const MatFrfLayout& layout) {
+  if (layout.lines >= 2 && layout.points * layout.channels <= kMaxMatFrfs) return;
+  throw InputError("too few lines or too many FRFs: " + shape_name(frf.shape), file.path,
+                   fmt::format("store at least 2 lines, and at most {} FRFs in a file", kMaxMatFrfs));
+}
+
+// Unit and kind as the file states them, else as the variable's unit and name show them.
+void read_unit_and_kind(const MatFile& file, const MatVariable& frf, StoredFrfs& out) {
+  out.unit = parse_frf_unit(mat_text(file, "unit"));
+  if (!out.unit) out.unit = parse_frf_unit(unit_in(file, frf.name));
+  out.kind = parse_frf_kind(mat_text(file, "kind"));
+  if (!out.kind) out.kind = parse_frf_kind(field_name(frf.name));
+}
+
 // Whether a real array longer than the FRFs could be a time record, so that the file is ambiguous.
 bool may_hold_record(const MatFile& file, std::size_t lines) {
   return std::any_of(file.variables.begin(), file.variables.end(), [&](const MatVariable& v) {
@@ -226,9 +247,7 @@ bool may_hold_record(const MatFile& file, std::size_t lines) {
 std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions& options) {
   const ReadOptions& read = options.read;
   const bool force_named = !read.force_channel.empty() && read.force_channel != "force";
-  const MatVariable* named = nullptr;
-  if (read.accel_channels.size() == 1) named = find_variable(file, read.accel_channels.front());
-  if (named != nullptr && !named->is_complex()) named = nullptr;
+  const MatVariable* const named = named_frf(file, read);
   const auto candidates = named != nullptr ? std::vector{named} : frf_candidates(file);
   if (candidates.empty() || (force_named && !options.kind)) return std::nullopt;
   const Frequencies frequencies = frequencies_in(file);
@@ -238,10 +257,7 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
   if (named == nullptr && !is_named_frf && !options.kind && may_hold_record(file, lines)) return std::nullopt;
   const MatVariable& frf = chosen_frf(file, candidates);
   const MatFrfLayout layout = frf_layout(frf, stated_lines);
-  if (layout.lines < 2 || layout.points * layout.channels > kMaxMatFrfs) {
-    throw InputError("too few lines or too many FRFs: " + shape_name(frf.shape), file.path,
-                     fmt::format("store at least 2 lines, and at most {} FRFs in a file", kMaxMatFrfs));
-  }
+  require_frf_size(file, frf, layout);
   StoredFrfs out;
   out.record.files.push_back({.path = file.path, .bytes = file.bytes});
   out.record.format = "FRF MAT";
@@ -259,10 +275,7 @@ std::optional<StoredFrfs> read_frf_mat(const MatFile& file, const FrfReadOptions
         "the {} FRFs of {} are taken as points of {}", layout.points * layout.channels, one_line(frf.name, 40),
         layout.channels == 1 ? "one channel" : fmt::format("{} channels", layout.channels))));
   }
-  out.unit = parse_frf_unit(mat_text(file, "unit"));
-  if (!out.unit) out.unit = parse_frf_unit(unit_in(file, frf.name));
-  out.kind = parse_frf_kind(mat_text(file, "kind"));
-  if (!out.kind) out.kind = parse_frf_kind(field_name(frf.name));
+  read_unit_and_kind(file, frf, out);
   out.record.estimator = one_line(mat_text(file, "estimator"), 60);
   read_frfs(file, frf, layout, out);
   return out;

@@ -1,18 +1,18 @@
 // Steps of the Rice codes of an FRF, see fit_plot_data.hpp.
 const kFitLevel_dB = 0.1, kFitPhase_rad = (2 * Math.PI) / 512, kFitResidual_dB = 1;
 
-// An FRF as complex curves and levels. Where no modes exist, only the measured one.
+// Decodes the measured and the synthesised FRF, and the level of the residual. Without modes, only the measured FRF.
 const decodedFrf = (fit, frf) => {
   const read = riceReader(frf.bits), n = fit.count;
   const level = read(n), phase = read(n);
   const curve = (levels, phases) => {
-    const size = levels.map((v) => 10 ** ((v * kFitLevel_dB) / 20));
-    return { db: levels.map((v) => v * kFitLevel_dB), re: size.map((s, k) => s * Math.cos(phases[k] * kFitPhase_rad)), im: size.map((s, k) => s * Math.sin(phases[k] * kFitPhase_rad)) };
+    const magnitude = levels.map((v) => 10 ** ((v * kFitLevel_dB) / 20));
+    return { db: levels.map((v) => v * kFitLevel_dB), re: magnitude.map((s, k) => s * Math.cos(phases[k] * kFitPhase_rad)), im: magnitude.map((s, k) => s * Math.sin(phases[k] * kFitPhase_rad)) };
   };
   const out = { measured: curve(level, phase) };
   if (frf.frac === undefined) return out;
   const levels = read(n).map((v, k) => v + level[k]), phases = read(n).map((v, k) => v + phase[k]);
-  out.made = curve(levels, phases);
+  out.synthesised = curve(levels, phases);
   out.residual_dB = read(n).map((v) => v * kFitResidual_dB);
   return out;
 };
@@ -44,6 +44,23 @@ const fitChooser = (parent, name, options, change) => {
   return select;
 };
 
+// The drawn lines [from, to) of three half-power bandwidths on either side of a mode, but at least 12. Without a mode,
+// all lines.
+const linesAround = (mode, xs) => {
+  if (!mode) return [0, xs.length];
+  const reach = 6 * mode.zeta * mode.hz;
+  let from = xs.findIndex((hz) => hz >= mode.hz - reach), to = xs.findIndex((hz) => hz > mode.hz + reach);
+  from = from < 0 ? 0 : from;
+  to = to < 0 ? xs.length : to;
+  const missing = Math.max(0, 12 - (to - from));
+  return [Math.max(0, from - missing), Math.min(xs.length, to + missing)];
+};
+
+// The FRAC of an FRF if modes exist, and the peaks that no mode explains.
+const fitSummary = (frf, modesExist, peaks) =>
+  (modesExist ? `FRAC ${frf.frac.toFixed(5)} over the band` : "no modes to compare with") +
+  (peaks.length ? `; ${peaks.length} unexplained peak${peaks.length > 1 ? "s" : ""}: ${peaks.map((p) => `${hertz(p.hz)} Hz (${peakLevel(p)})`).join(", ")}` : "; no unexplained peak") + ".";
+
 const fitPlots = () => {
   const fit = data.fit;
   for (const figure of figuresOf("fit")) {
@@ -67,27 +84,16 @@ const fitPlots = () => {
     addElement("button", controls, "Previous").addEventListener("click", () => step(-1));
     addElement("button", controls, "Next").addEventListener("click", () => step(1));
     const choosePlace = geometryChoice(figure, fit.places || [], (i) => { point.value = i; draw(); });
-    const says = addElement("p", figure);
-    says.className = "said";
-    says.setAttribute("aria-live", "polite");
+    const summary = addElement("p", figure);
+    summary.className = "said";
+    summary.setAttribute("aria-live", "polite");
     const target = addElement("div", figure);
     let own = [];
-    // Three half-power bandwidths on either side of the chosen mode, but at least 12 drawn lines.
-    const rangeOf = () => {
-      const mode = modes[Number(range.value) - 1];
-      if (!mode) return [0, xs.length];
-      const reach = 6 * mode.zeta * mode.hz;
-      let from = xs.findIndex((hz) => hz >= mode.hz - reach), to = xs.findIndex((hz) => hz > mode.hz + reach);
-      from = from < 0 ? 0 : from;
-      to = to < 0 ? xs.length : to;
-      const lack = Math.max(0, 12 - (to - from));
-      return [Math.max(0, from - lack), Math.min(xs.length, to + lack)];
-    };
     const add = (height, y, cut, series, options = {}) => {
       const place = addElement("div", target);
       own.push(plot(figure, height, "frequency, Hz", y, cut(xs), series.map((s) => ({ ...s, values: cut(s.values) })), { target: place, ...options }));
     };
-    const kMeasured = strokes(0), kMade = strokes(1), kResidual = { ...strokes(2), width: 1 };
+    const kMeasured = strokes(0), kSynthesised = strokes(1), kResidual = { ...strokes(2), width: 1 };
     const draw = () => {
       for (const u of own) {
         plots.splice(plots.findIndex((d) => d.plot === u), 1);
@@ -98,27 +104,26 @@ const fitPlots = () => {
       choosePlace(Number(point.value));
       const frf = fit.frfs.find((f) => f.point === Number(point.value) && f.channel === Number(channel.value));
       const name = (fit.points.length > 1 ? `Point ${fit.points[Number(point.value)]}, ` : "") + fit.channels[Number(channel.value)];
-      if (!frf) { says.textContent = `${name}: not measured.`; return; }
-      const { measured, made, residual_dB } = decodedFrf(fit, frf), [from, to] = rangeOf(), cut = (values) => values.slice(from, to);
+      if (!frf) { summary.textContent = `${name}: not measured.`; return; }
+      const { measured, synthesised, residual_dB } = decodedFrf(fit, frf), [from, to] = linesAround(modes[Number(range.value) - 1], xs), cut = (values) => values.slice(from, to);
       const inRange = fit.peaks.filter((p) => p.hz >= xs[from] && p.hz <= xs[to - 1]);
-      says.textContent = `${name}: ` + (made ? `FRAC ${frf.frac.toFixed(5)} over the band` : "no modes to compare with") +
-        (inRange.length ? `; ${inRange.length} unexplained peak${inRange.length > 1 ? "s" : ""}: ${inRange.map((p) => `${hertz(p.hz)} Hz (${peakLevel(p)})`).join(", ")}` : "; no unexplained peak") + ".";
+      summary.textContent = `${name}: ${fitSummary(frf, synthesised, inRange)}`;
       if (view.value === "2") {
-        legend(target, ["measured", "synthesised"].slice(0, made ? 2 : 1));
+        legend(target, ["measured", "synthesised"].slice(0, synthesised ? 2 : 1));
         const canvas = addElement("canvas", target);
         canvas.className = "nyquist";
         const part = (curve, more) => ({ re: cut(curve.re), im: cut(curve.im), ...more });
-        const curves = [part(measured, { dots: true, stroke: kMeasured.stroke }), ...(made ? [part(made, { stroke: kMade.stroke })] : [])];
+        const curves = [part(measured, { dots: true, stroke: kMeasured.stroke }), ...(synthesised ? [part(synthesised, { stroke: kSynthesised.stroke })] : [])];
         redraws.set(figure, () => drawNyquist(canvas, curves));
       } else if (view.value === "1") {
-        legend(target, ["measured", "synthesised"].slice(0, made ? 2 : 1));
+        legend(target, ["measured", "synthesised"].slice(0, synthesised ? 2 : 1));
         for (const [word, key] of [["real part", "re"], ["imaginary part", "im"]])
-          add(220, `${word}, (m/s²)/N`, cut, [{ values: measured[key], ...kMeasured }, ...(made ? [{ values: made[key], ...kMade }] : [])], { top: 40, hooks: { draw: [nameModes] } });
+          add(220, `${word}, (m/s²)/N`, cut, [{ values: measured[key], ...kMeasured }, ...(synthesised ? [{ values: synthesised[key], ...kSynthesised }] : [])], { top: 40, hooks: { draw: [nameModes] } });
         redraws.set(figure, () => {});
       } else {
-        legend(target, ["measured", "synthesised", "residual"].slice(0, made ? 3 : 1));
+        legend(target, ["measured", "synthesised", "residual"].slice(0, synthesised ? 3 : 1));
         const level = (hz) => measured.db[xs.reduce((best, x, k) => (Math.abs(x - hz) < Math.abs(xs[best] - hz) ? k : best), 0)];
-        add(340, "dB re 1 (m/s²)/N", cut, [{ values: measured.db, ...kMeasured }, ...(made ? [{ values: made.db, ...kMade }, { values: residual_dB, ...kResidual }] : [])], { top: 40, hooks: { draw: [nameModes, markPeaks(inRange, level)] } });
+        add(340, "dB re 1 (m/s²)/N", cut, [{ values: measured.db, ...kMeasured }, ...(synthesised ? [{ values: synthesised.db, ...kSynthesised }, { values: residual_dB, ...kResidual }] : [])], { top: 40, hooks: { draw: [nameModes, markPeaks(inRange, level)] } });
         redraws.set(figure, () => {});
       }
       redraws.get(figure)();

@@ -10,7 +10,8 @@
 #include "support/messages.hpp"
 #include "support/scratch_folder.hpp"
 
-// Variables of level 5 written byte by byte.
+// Variables of level 5 written byte by byte. The types of data elements are 1 (int8), 4 (uint16), 5 (int32), 6
+// (uint32), 9 (double), 14 (array), 15 (compressed array), 16 (UTF-8) and 17 (UTF-16).
 namespace percuss::acquire::mat_contents_test {
 
 using test::input_error_of;
@@ -19,6 +20,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
+// Classes of arrays.
 constexpr std::uint32_t kCell = 1, kStruct = 2, kObject = 3, kChar = 4, kDouble = 6, kFunction = 16, kOpaque = 17;
 
 std::string words(const std::vector<std::uint32_t>& values) {
@@ -46,6 +48,7 @@ std::string head(std::uint32_t kind, const std::vector<std::uint32_t>& shape, co
 
 std::string array(const std::string& content) { return element(14, content); }
 
+// `stated` replaces the length in the tag if it is not 0.
 std::string compressed(const std::string& content, std::uint32_t stated = 0) {
   const std::string plain = words({14, stated == 0 ? static_cast<std::uint32_t>(content.size()) : stated}) + content;
   std::string out(plain.size() + 1000, '\0');

@@ -50,9 +50,9 @@ TEST(MatNamedColumns, MayLieInRows) {
 
 // MATLAB fills the rows of a char array with blanks, and stores it column by column.
 TEST(MatNamedColumns, MayBeNamedByTheRowsOfACharArray) {
-  const MatVariable rows{.name = "channel_names", .shape = {2, 5}, .text = "FAoccrcc e ", .is_text = true};
-  EXPECT_THAT(variables_after(mat_record_of({rows, data()})),
-              ElementsAre("channel_names", "data", "fs"));  // a byte too many
+  const MatVariable too_long{.name = "channel_names", .shape = {2, 5}, .text = "FAoccrcc e ", .is_text = true};
+  EXPECT_THAT(variables_after(mat_record_of({too_long, data()})),
+              ElementsAre("channel_names", "data", "fs"));  // 11 bytes for 10 characters: not used
   const MatVariable right{.name = "channel_names", .shape = {2, 5}, .text = "FAocrcc e ", .is_text = true};
   EXPECT_THAT(variables_after(mat_record_of({right, data()})), ElementsAre("channel_names", "fs", "Force", "Acc"));
 }

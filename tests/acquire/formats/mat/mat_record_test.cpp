@@ -87,29 +87,29 @@ TEST_F(MatRecord, ReadsHitsInEitherOrientation) {
   // Two hits of three samples, four channels. Sample i of hit h is 10 h + i in the force, and 100 (c + 1) more in
   // channel c.
   const auto value = [](std::size_t h, std::size_t i) { return static_cast<double>(10 * h + i); };
-  std::vector<double> force_first, force_last, accel_first, accel_last;
+  std::vector<double> force_time_first, force_time_last, accel_time_first, accel_time_last;
   for (std::size_t h = 0; h < 2; ++h) {
-    for (std::size_t i = 0; i < 3; ++i) force_first.push_back(value(h, i));  // [samples, hits]
+    for (std::size_t i = 0; i < 3; ++i) force_time_first.push_back(value(h, i));  // [samples, hits]
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t h = 0; h < 2; ++h) force_last.push_back(value(h, i));  // [hits, samples]
+    for (std::size_t h = 0; h < 2; ++h) force_time_last.push_back(value(h, i));  // [hits, samples]
   }
   for (std::size_t h = 0; h < 2; ++h) {
     for (std::size_t c = 0; c < 4; ++c) {
-      for (std::size_t i = 0; i < 3; ++i) accel_first.push_back(100.0 * static_cast<double>(c + 1) + value(h, i));
+      for (std::size_t i = 0; i < 3; ++i) accel_time_first.push_back(100.0 * static_cast<double>(c + 1) + value(h, i));
     }
   }
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t c = 0; c < 4; ++c) {
-      for (std::size_t h = 0; h < 2; ++h) accel_last.push_back(100.0 * static_cast<double>(c + 1) + value(h, i));
+      for (std::size_t h = 0; h < 2; ++h) accel_time_last.push_back(100.0 * static_cast<double>(c + 1) + value(h, i));
     }
   }
-  for (const bool last : {false, true}) {
+  for (const bool time_last : {false, true}) {
     using Shape = std::vector<std::size_t>;
     MatBuilder(path_, MatLevel::v5)
         .numbers("fs", {1, 1}, {1000})
-        .numbers("force", last ? Shape{2, 3} : Shape{3, 2}, last ? force_last : force_first)
-        .numbers("accel", last ? Shape{2, 4, 3} : Shape{3, 4, 2}, last ? accel_last : accel_first);
+        .numbers("force", time_last ? Shape{2, 3} : Shape{3, 2}, time_last ? force_time_last : force_time_first)
+        .numbers("accel", time_last ? Shape{2, 4, 3} : Shape{3, 4, 2}, time_last ? accel_time_last : accel_time_first);
     const Record record = opened();
     ASSERT_EQ(record.rows.size(), 2U);
     ASSERT_EQ(record.accel.size(), 4U);
