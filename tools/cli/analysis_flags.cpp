@@ -35,8 +35,8 @@ std::vector<double> sorted_distinct(std::vector<double> values) {
 void add_band_options(Command& command, AnalysisFlags& flags) {
   command
       .value("--band", flags.band,
-             "Analyse this frequency band in Hz, such as 60:3200 (default: from 1 % of the highest frequency that the "
-             "hammer excites up to this frequency)")
+             "Analyse this frequency band in Hz, such as 60:3200 (default: from 1 % to 100 % of the highest "
+             "frequency that the hammer excites)")
       .type("LO:HI");
   command
       .value("--effort", flags.effort,
