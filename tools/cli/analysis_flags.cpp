@@ -122,9 +122,9 @@ void add_analysis_options(Command& command, AnalysisFlags& flags) {
   add_window_options(command, flags);
   command
       .value("--delay", flags.delay,
-             "Remove the delay by which each accelerometer comes after the force. auto: as the phases of the modes "
-             "show it; off: only warn; or seconds, one for all or one per channel, negative where the channel comes "
-             "early")
+             "Remove the delay of each accelerometer against the force. auto: estimate it from the phases of the "
+             "modes; off: only warn about it; or give it in seconds, one for all or one per channel, negative if the "
+             "channel is early")
       .type("auto|off|S,...")
       .show_default();
   command
