@@ -118,7 +118,7 @@ const Analysis::ReadSpectra& Analysis::read_spectra() const {
   return within_budget(budget_, read_spectra_, [&] {
     const TransformOptions options = transform_options(line_choice().lines);
     ReadSpectra out{.lines = {}, .responses = read_responses(aligned_record(), force_hits(), options, trace_)};
-    out.lines = end_lines(out.responses, force_hits(), band_Hz(), line_choice().end_Hz, options);
+    out.lines = end_spectra_past_modes(out.responses, force_hits(), band_Hz(), line_choice().end_Hz, options);
     return out;
   });
 }

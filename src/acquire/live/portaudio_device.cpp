@@ -50,7 +50,7 @@ class PortAudioDevice final : public Device {
                                         .hostApiSpecificStreamInfo = nullptr};
     PaError error = paNoError;
     {
-      const QuietErrors quiet;
+      const SilencedErrors quiet;
       error = PERCUSS_PORTAUDIO(Pa_OpenStream)(&stream_, &parameters, nullptr, fs_Hz, paFramesPerBufferUnspecified,
                                                paClipOff | paDitherOff, &PortAudioDevice::receive, this);
     }
@@ -59,7 +59,7 @@ class PortAudioDevice final : public Device {
   }
   ~PortAudioDevice() override {
     stop();
-    const QuietErrors quiet;
+    const SilencedErrors quiet;
     PERCUSS_PORTAUDIO(Pa_CloseStream)(stream_);
   }
 
@@ -68,7 +68,7 @@ class PortAudioDevice final : public Device {
   void start(FrameSink& sink) override {
     sink_ = &sink;
     const std::lock_guard guard(mutex_);
-    const QuietErrors quiet;
+    const SilencedErrors quiet;
     if (const PaError error = PERCUSS_PORTAUDIO(Pa_StartStream)(stream_); error != paNoError)
       fail_to_open(error, input_);
     running_ = true;
@@ -79,7 +79,7 @@ class PortAudioDevice final : public Device {
     const std::lock_guard guard(mutex_);
     if (!running_) return;
     running_ = false;
-    const QuietErrors quiet;
+    const SilencedErrors quiet;
     PERCUSS_PORTAUDIO(Pa_AbortStream)(stream_);
   }
 

@@ -79,7 +79,7 @@ ChosenDegree degree_by_bic(const std::vector<CurvesOfDegree>& fits, Index mode, 
 PredictedPoint predicted_by(const std::vector<CurvesOfDegree>& fits, Index points, Index modes) {
   const auto n = static_cast<double>(points);
   const VectorXd none = VectorXd::Zero(modes);
-  PredictedPoint out{.value = none, .one_variance = none, .local = none, .curve_variance = none};
+  PredictedPoint out{.value = none, .point_variance = none, .local = none, .curve_variance = none};
   VectorXd variance(modes), slope2(modes), value2(modes), here_slope2(modes), leverage(modes), model(modes);
   std::vector<double> placement2;
   for (Index m = 0; m < modes; ++m) {
@@ -105,7 +105,7 @@ PredictedPoint predicted_by(const std::vector<CurvesOfDegree>& fits, Index point
     const double steep = slope2(m) > 0 ? here_slope2(m) / slope2(m) : 1;
     const double high = value2(m) > 0 ? out.value(m) * out.value(m) / value2(m) : 1;
     out.local(m) = std::max({1.0, steep, high});
-    out.one_variance(m) = typical * out.local(m);
+    out.point_variance(m) = typical * out.local(m);
     out.curve_variance(m) = typical * leverage(m) + model(m) * model(m) + kMinCurveStd * kMinCurveStd;
   }
   return out;

@@ -11,7 +11,7 @@ inline constexpr std::size_t kMinCurvePoints = 7;
 /// The amplitudes at a point as predicted from the other points, [modes].
 struct PredictedPoint {
   Eigen::VectorXd value;
-  Eigen::VectorXd one_variance;    // of the mean of one point about its curve
+  Eigen::VectorXd point_variance;  // of the mean of one point about its curve
   Eigen::VectorXd local;           // variance at the point over the variance of a typical one, at least 1
   Eigen::VectorXd curve_variance;  // of the curve
   double cost = 0;                 // BIC per point, sum over the modes

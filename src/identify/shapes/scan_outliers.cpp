@@ -152,8 +152,8 @@ std::optional<PointAgainstCurves> against_curves(std::span<const HitsAlongScan> 
   std::size_t hits = 1;
   for (const HitsAlongScan& mode : modes)
     hits = point < mode.hits.size() ? std::max(hits, mode.hits[point].size()) : hits;
-  best->one_variance = best->one_variance.cwiseMax(variance_of_hits(modes, window, largest).cwiseProduct(best->local) /
-                                                   static_cast<double>(hits));
+  best->point_variance = best->point_variance.cwiseMax(
+      variance_of_hits(modes, window, largest).cwiseProduct(best->local) / static_cast<double>(hits));
   return PointAgainstCurves{.largest = std::move(largest), .predicted = std::move(*best)};
 }
 
@@ -169,8 +169,8 @@ double deviations_of(const ScanTable& table, const PointAgainstCurves& at,
       const double off = std::abs(*value[mode] / at.largest(m) - at.predicted.value(m));
       if (off < kMinRelative) continue;
       const double noise = std[mode] / at.largest(m);
-      most = std::max(
-          most, off / std::sqrt(hits * at.predicted.one_variance(m) + at.predicted.curve_variance(m) + noise * noise));
+      most = std::max(most, off / std::sqrt(hits * at.predicted.point_variance(m) + at.predicted.curve_variance(m) +
+                                            noise * noise));
     }
     of_shapes.push_back(most);
   }

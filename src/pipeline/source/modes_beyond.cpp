@@ -116,8 +116,9 @@ std::vector<double> response_power(const std::vector<AnalysedHit>& hits, const H
   return power;
 }
 
-acquire::LineRange end_lines(HitResponses& responses, const std::vector<AnalysedHit>& hits,
-                             std::pair<double, double> band_Hz, double end_Hz, const TransformOptions& options) {
+acquire::LineRange end_spectra_past_modes(HitResponses& responses, const std::vector<AnalysedHit>& hits,
+                                          std::pair<double, double> band_Hz, double end_Hz,
+                                          const TransformOptions& options) {
   acquire::LineRange lines = options.lines;
   if (lines.freq_Hz(lines.count) > end_Hz + lines.df_Hz())  // else there is nothing to choose
     end_Hz = end_past_modes(end_Hz, band_Hz, lines, response_power(hits, responses, options));

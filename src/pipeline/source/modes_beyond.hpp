@@ -28,7 +28,8 @@ std::vector<double> response_power(const std::vector<AnalysedHit>& hits, const H
                                    const TransformOptions& options);
 
 /// Removes the lines beyond end_past_modes() from the spectra of `responses`, and returns the remaining lines.
-acquire::LineRange end_lines(HitResponses& responses, const std::vector<AnalysedHit>& hits,
-                             std::pair<double, double> band_Hz, double end_Hz, const TransformOptions& options);
+acquire::LineRange end_spectra_past_modes(HitResponses& responses, const std::vector<AnalysedHit>& hits,
+                                          std::pair<double, double> band_Hz, double end_Hz,
+                                          const TransformOptions& options);
 
 }  // namespace percuss::pipeline

@@ -61,7 +61,7 @@ void check_in_child() {
 }  // namespace
 
 // ALSA's plug-ins never free some of their memory. The leak checker would report it.
-QuietErrors::QuietErrors() : saved_(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0)) {
+SilencedErrors::SilencedErrors() : saved_(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0)) {
   if (__lsan_disable != nullptr) __lsan_disable();
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere < 0) return;
@@ -70,7 +70,7 @@ QuietErrors::QuietErrors() : saved_(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0)) 
   ::close(nowhere);
 }
 
-QuietErrors::~QuietErrors() {
+SilencedErrors::~SilencedErrors() {
   if (__lsan_enable != nullptr) __lsan_enable();
   if (saved_ < 0) return;
   std::fflush(stderr);
@@ -79,7 +79,7 @@ QuietErrors::~QuietErrors() {
 }
 
 PortAudioLibrary::PortAudioLibrary() {
-  const QuietErrors quiet;
+  const SilencedErrors quiet;
   check_in_child();
   if (const PaError error = PERCUSS_PORTAUDIO(Pa_Initialize)(); error != paNoError) {
     throw InputError(std::string("PortAudio does not start: ") + PERCUSS_PORTAUDIO(Pa_GetErrorText)(error), "portaudio",
@@ -88,7 +88,7 @@ PortAudioLibrary::PortAudioLibrary() {
 }
 
 PortAudioLibrary::~PortAudioLibrary() {
-  const QuietErrors quiet;
+  const SilencedErrors quiet;
   PERCUSS_PORTAUDIO(Pa_Terminate)();
 }
 
@@ -109,7 +109,7 @@ std::vector<PortAudioInput> PortAudioLibrary::inputs() const {
 }
 
 std::vector<double> PortAudioLibrary::rates_Hz(const PortAudioInput& input) const {
-  const QuietErrors quiet;
+  const SilencedErrors quiet;
   const PaStreamParameters parameters{.device = input.index,
                                       .channelCount = 1,
                                       .sampleFormat = paInt32,

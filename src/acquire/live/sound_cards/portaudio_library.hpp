@@ -35,12 +35,12 @@ PortAudioInput find_input(const std::vector<PortAudioInput>& inputs, const std::
 
 /// Discards what C libraries write to standard error while it lives: ALSA and JACK report each device that they look
 /// for in vain. The leak checker of a sanitizer ignores the memory allocated meanwhile.
-class QuietErrors {
+class SilencedErrors {
  public:
-  QuietErrors();
-  ~QuietErrors();
-  QuietErrors(const QuietErrors&) = delete;
-  QuietErrors& operator=(const QuietErrors&) = delete;
+  SilencedErrors();
+  ~SilencedErrors();
+  SilencedErrors(const SilencedErrors&) = delete;
+  SilencedErrors& operator=(const SilencedErrors&) = delete;
 
  private:
   int saved_;
