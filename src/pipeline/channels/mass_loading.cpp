@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::size_t kMinPoints = 6;
 constexpr double kRoundingOfFreq = 1e-9;  // relative
+// Modes whose frequency falls, per mode whose frequency rises. Two close modes that a sensor's mass moves across each
+// other can be listed so that one of them seems to rise.
+constexpr std::size_t kFallsPerRise = 5;
 
 // Data of a linear regression, one value per point, both about their medians.
 struct RegressionData {
@@ -57,6 +60,7 @@ RegressionData without_middle(const RegressionData& data) {
 
 std::vector<MassLoading> mass_loading(const std::vector<identify::Mode>& modes) {
   std::vector<MassLoading> out;
+  std::size_t rises = 0;
   for (std::size_t m = 0; m < modes.size(); ++m) {
     const RegressionData all = regression_data(modes[m]);
     if (all.square.empty()) continue;
@@ -65,9 +69,13 @@ std::vector<MassLoading> mass_loading(const std::vector<identify::Mode>& modes) 
     const std::vector<double> std(data.square.size(), kRoundingOfFreq);
     const RobustSlope slope = robust_slope(data.square, data.freq, std);
     if (slope.log_chance > kMaxLogChance || std::abs(slope.slope) < kSureSlope * slope.std) continue;
-    if (slope.slope > 0) return {};
-    out.push_back({.mode = m, .largest_fall = -slope.slope, .std = slope.std, .points = all.square.size()});
+    if (slope.slope > 0) {
+      ++rises;
+    } else {
+      out.push_back({.mode = m, .largest_fall = -slope.slope, .std = slope.std, .points = all.square.size()});
+    }
   }
+  if (out.size() < kFallsPerRise * rises) return {};
   return out;
 }
 

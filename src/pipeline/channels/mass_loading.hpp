@@ -14,8 +14,8 @@ struct MassLoading {
   std::size_t points = 0;            // where the frequency was estimated separately
 };
 
-/// The modes whose frequencies differ between the points and fall in this way beyond doubt. Empty where a frequency
-/// rises in this way: another cause then changes the frequencies.
+/// The modes whose frequencies differ between the points and fall in this way beyond doubt. Empty if more than one in
+/// six frequencies rises in this way: another cause then changes the frequencies.
 std::vector<MassLoading> mass_loading(const std::vector<identify::Mode>& modes);
 
 }  // namespace percuss::pipeline

@@ -37,4 +37,16 @@ TEST(MassLoading, IsNotSeenInScatterOrWhereFrequenciesRise) {
   EXPECT_TRUE(mass_loading({mode_with(200, 1, 0.005, 2e-4, 1), mode_with(500, 2, -0.005, 2e-4, 2)}).empty());
 }
 
+// Copies of a mode that a sensor's mass moved across a close one.
+TEST(MassLoading, IsSeenAlthoughOneOfManyFrequenciesRises) {
+  std::vector<identify::Mode> modes{mode_with(100, 1, -0.005, 2e-4, 1)};
+  for (std::uint64_t seed = 2; seed < 6; ++seed)
+    modes.push_back(mode_with(100 * static_cast<double>(seed), 2, 0.005, 2e-4, seed));
+  EXPECT_TRUE(mass_loading(modes).empty()) << "four fall";
+  modes.push_back(mode_with(600, 3, 0.005, 2e-4, 6));
+  const auto found = mass_loading(modes);
+  ASSERT_EQ(found.size(), 5U);
+  EXPECT_EQ(found.front().mode, 1U);
+}
+
 }  // namespace percuss::pipeline::mass_loading_test
