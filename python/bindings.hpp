@@ -98,6 +98,9 @@ void bind_outcome(PyObject* module);  // the results of commands
 Object mac_between(PyObject* module, const Arguments& arguments);
 /// The points of two documents at common places, as [(point of the first, point of the second, sign)].
 Object common_points_of(PyObject* module, const Arguments& arguments);
+/// The shape over the points (points,), ascending, from a table (residues, 5) of point, channel, real part, imaginary
+/// part and standard deviation. All channels contribute to the value of a point, as in a survey with a roving hammer.
+Object shape_over_points(PyObject* module, const Arguments& arguments);
 /// The run time of the library without Python, for bench_overhead.py.
 Object library_seconds(PyObject* module, const Arguments& arguments);
 

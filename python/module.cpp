@@ -120,6 +120,7 @@ PyObject* make_module() {
                                     method<&option>("option_in_python"),
                                     method<&mac_between>("mac"),
                                     method<&common_points_of>("common_points"),
+                                    method<&shape_over_points>("shape_over_points"),
                                     method<&library_seconds>("library_seconds"),
                                     method<&stop_calls>("stop_calls"),
                                     {nullptr, nullptr, 0, nullptr}};

@@ -41,6 +41,7 @@ struct GeometryPoint {
   double position_m = 0;  // along the tube's axis, from the barrel's end
   double angle_rad = 0;   // around the axis
   double radius_m = 0;    // for drawings; 0: not known
+  std::optional<std::array<double, 3>> along{};  // unit vector of a positive value: of the blow or of the sensor
 };
 
 struct Geometry {
@@ -53,7 +54,7 @@ struct Geometry {
 };
 
 /// Reads "point, x_m, y_m, z_m" or "point, position_m, angle_deg" from a text file, with the lines and faces that it
-/// states. Points around an axis become a tube. Lengths without a unit are taken as m.
+/// states, and directions of blows or sensors. Points around an axis become a tube. Lengths without a unit are taken as m.
 /// errors  InputError: not such a file; lengths above 10 without a unit.
 Geometry read_geometry(const std::string& path);
 

@@ -11,6 +11,10 @@ from . import _percuss
 from ._analyses import Analysis
 from ._arrays import frozen
 from ._errors import InputError
+from ._shape_documents import ShapeDocument, is_document
+
+
+_WITH_PLACES = (Analysis, ShapeDocument)
 
 
 def mac(a: Any, b: Any = None) -> np.ndarray:
@@ -20,10 +24,11 @@ def mac(a: Any, b: Any = None) -> np.ndarray:
 
     Parameters
     ----------
-    a, b : Analysis, Survey or array (modes, places)
-        Results, whose residues or shapes are compared at the places (point and channel) that both have; or real or complex
-        arrays of the same places in the same order. Without b, a is compared with itself. The points of results are matched
-        by their coordinates if both state them, else by the numbers of the geometry or of the files' names, as `compare` does.
+    a, b : Analysis, Survey, dict, path or array (modes, places)
+        Results of `analyze` and `survey` or their documents (a dictionary, or the path of a JSON file), whose residues or
+        shapes are compared at the places (point and channel) that both have; or real or complex arrays of the same places in
+        the same order. Without b, a is compared with itself. The points of results and documents are matched by their
+        coordinates if both state them, else by the numbers of the geometry or of the files' names, as `compare` does.
 
     Returns
     -------
@@ -33,7 +38,7 @@ def mac(a: Any, b: Any = None) -> np.ndarray:
     Raises
     ------
     InputError
-        Places that do not agree, empty arrays, NaN and infinity.
+        Places that do not agree, empty arrays, NaN and infinity; files and dictionaries that are no document of one test.
     TypeError
         Values that are not numbers.
 
@@ -54,14 +59,17 @@ def mac(a: Any, b: Any = None) -> np.ndarray:
     >>> b = percuss.analyze(percuss.synth("wood-bat", seed=2), band=(60, 3200))
     >>> percuss.mac(a, b).diagonal().round(3).tolist()
     [1.0, 1.0, 1.0]
+    >>> percuss.mac(a.to_dict(), b).diagonal().round(3).tolist()
+    [1.0, 1.0, 1.0]
     """
-    if isinstance(a, Analysis) and isinstance(b, Analysis):
+    a, b = (ShapeDocument(one, name) if is_document(one) else one for one, name in ((a, "a"), (b, "b")))
+    if isinstance(a, _WITH_PLACES) and isinstance(b, _WITH_PLACES):
         a, b = _at_common_places(a, b)
     first = _shapes(a, "a")
     return frozen(_percuss.mac(first, first if b is None else _shapes(b, "b")))
 
 
-def _at_common_places(a: Analysis, b: Analysis) -> tuple[np.ndarray, np.ndarray]:
+def _at_common_places(a: Analysis | ShapeDocument, b: Analysis | ShapeDocument) -> tuple[np.ndarray, np.ndarray]:
     mine, others = a._shape_places, b._shape_places
     matched = {theirs: (own, sign) for own, theirs, sign in _percuss.common_points(_document_of(a, mine), _document_of(b, others))}
     signs = [matched[point][1] if point in matched else 0.0 for point, _ in others]
@@ -77,7 +85,7 @@ def _at_common_places(a: Analysis, b: Analysis) -> tuple[np.ndarray, np.ndarray]
     return pick(a._shape_values, mine), pick(b._shape_values * np.array(signs), others)
 
 
-def _document_of(result: Analysis, places: list[tuple[int, int]]) -> str:
+def _document_of(result: Analysis | ShapeDocument, places: list[tuple[int, int]]) -> str:
     """A document with one shape of ones at the places, and what the result states of them."""
     residues = [{"point": point, "channel": channel, "re": 1} for point, channel in places]
     mode = {"frequency_hz": 1, "residues": residues}
@@ -87,14 +95,14 @@ def _document_of(result: Analysis, places: list[tuple[int, int]]) -> str:
 
 def _shapes(values: Any, name: str) -> np.ndarray:
     """(modes, places), each shape divided by its largest real or imaginary part: squares cannot overflow, and MAC does not change."""
-    if isinstance(values, Analysis):
+    if isinstance(values, _WITH_PLACES):
         values = values._shape_values
     try:
         array = np.atleast_2d(np.asarray(values))
     except ValueError:
         raise InputError("rows of different lengths", name, "give an array (modes, places)") from None
     if array.dtype.kind not in "biufc":
-        raise TypeError(f"{name} holds no numbers: give an array (modes, places), real or complex, or a result of analyze() or survey()")
+        raise TypeError(f"{name} holds no numbers: give an array (modes, places), real or complex, or a result or document of analyze() or survey()")
     if array.ndim != 2 or array.size == 0:
         dimensions = " × ".join(str(one) for one in array.shape)
         raise InputError(f"shapes of {dimensions}", name, "give an array (modes, places) with at least one mode and one place")

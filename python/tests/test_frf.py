@@ -207,6 +207,51 @@ def test_mac_matches_points_by_their_coordinates():
     assert all(pair["mac"] > 1 - FIT for pair in compared["pairs"])
 
 
+def test_mac_compares_documents(tmp_path):
+    a, b = (percuss.analyze(percuss.synth("wood-bat", seed=seed), band=BAND) for seed in (1, 2))
+    path = tmp_path / "b.json"
+    b.save(path)
+    wanted = percuss.mac(a, b)
+    for pair in ((a.to_dict(), b), (a, path), (a.to_dict(), str(path))):
+        assert np.allclose(percuss.mac(*pair), wanted, atol=ROUNDING)
+    assert np.allclose(percuss.mac(path), percuss.mac(b), atol=ROUNDING)
+    # The shape of a survey is over its points, to which all sensors contribute.
+    barrel = percuss.survey(percuss.synth("roving-barrel"), band=BAND, effort="quick")
+    assert np.allclose(percuss.mac(barrel.to_dict()), barrel.mac, atol=ROUNDING)
+    shapes = np.array([[1.0, 2.0, -1.0], [0.5, -1.0, 1.0]])
+    sensors = np.array([[1.0, 0.5], [-0.7, 1.0]])  # (modes, channels)
+    frfs = np.concatenate([responses_of(shapes * sensors[:, [c]]) for c in (0, 1)], axis=1)
+    whole = percuss.survey(percuss.Frf(FREQ_HZ, frfs), band=(60, 700), object="other", roving="hammer")
+    document = whole.to_dict()
+    assert np.allclose(percuss.mac(document, shapes), percuss.mac(shapes), atol=FIT)
+    assert np.allclose(percuss.mac(document, whole), percuss.mac(whole), atol=FIT)
+    # A document without the middle point is matched at the other two.
+    for mode in document["modes"]:
+        mode["residues"] = [one for one in mode["residues"] if one["point"] != 1]
+    assert np.allclose(percuss.mac(document, whole), percuss.mac(shapes[:, [0, 2]]), atol=FIT)
+
+
+def test_mac_refuses_other_documents(tmp_path):
+    beam = percuss.models.beam(support="free", length=0.84, modes=4).to_dict()
+    not_json, scalar = tmp_path / "notes.json", tmp_path / "three.json"
+    not_json.write_text("# notes")
+    scalar.write_text("3")
+    modes = {"schema": "percuss/analysis/1", "modes": [{"frequency_hz": 100.0, "residues": [{"point": 0, "channel": 0, "re": None}]}]}
+    for value, wanted in [
+        (beam, "a percuss/model-beam/1 has no mode shapes (a); give a document that percuss.analyze() or percuss.survey() wrote"),
+        ({}, "a dictionary without a schema has no mode shapes (a)"),
+        ({"schema": "percuss/analysis/1", "modes": []}, "the document has no modes (a); choose a band"),
+        ({"schema": "percuss/analysis/1", "runs": [{}, {}]}, "the document holds 2 tests (a); give one of them"),
+        (modes, "the modes have no residues at points and channels (a)"),
+        (not_json, f"not a JSON document ({not_json})"),
+        (scalar, f"not a document of percuss ({scalar})"),
+        (tmp_path / "none.json", "check the path"),
+    ]:
+        with pytest.raises(percuss.InputError) as caught:
+            percuss.mac(value)
+        assert wanted in str(caught.value)
+
+
 def responses_of(shapes):
     """(points, 1, lines) of shapes (modes, points), struck at each point and measured at one sensor."""
     return modal_sum(shapes, 2j * np.pi * FREQ_HZ)[:, None]

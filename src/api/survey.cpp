@@ -48,7 +48,8 @@ acquire::Geometry internal_geometry(const Geometry& geometry) {
                           .xyz_m = p.xyz_m,
                           .position_m = p.position_m,
                           .angle_rad = p.angle_rad,
-                          .radius_m = p.radius_m});
+                          .radius_m = p.radius_m,
+                          .along = p.along});
   }
   return out;
 }
@@ -65,7 +66,8 @@ Geometry public_geometry(const acquire::Geometry& geometry) {
                           .xyz_m = p.xyz_m,
                           .position_m = p.position_m,
                           .angle_rad = p.angle_rad,
-                          .radius_m = p.radius_m});
+                          .radius_m = p.radius_m,
+                          .along = p.along});
   }
   return out;
 }

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "acquire/format_registry.hpp"
+#include "acquire/record/files_of_hits.hpp"
 #include "batch/sha256_file.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
@@ -141,6 +142,18 @@ std::vector<BatchRecord> records_of_files(const std::vector<std::string>& paths,
   }
   std::sort(records.begin(), records.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return records;
+}
+
+std::vector<HitsOfOnePart> hits_of_one_part(const std::vector<std::string>& paths) {
+  std::vector<HitsOfOnePart> out;
+  for (const acquire::FilesOfHits& group : acquire::files_called_hits(paths)) {
+    const fs::path stem(group.stem);
+    const fs::path part = stem.has_filename() ? stem.filename() : stem.parent_path().filename();
+    out.push_back({.part = part.string(), .paths = {}});
+    for (const std::size_t file : group.files) out.back().paths.push_back(paths[file]);
+    std::sort(out.back().paths.begin(), out.back().paths.end(), comes_first_naturally);
+  }
+  return out;
 }
 
 }  // namespace percuss::batch

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -61,6 +62,12 @@ std::optional<identify::PatternPlane> plane_of(const std::optional<identify::Tub
   return identify::PatternPlane{*tube->plane_rad, tube->plane_std_rad, tube->order};
 }
 
+// Whether the directions are parallel or opposite, within 8°.
+bool on_one_line(const acquire::Direction& a, const acquire::Direction& b) {
+  constexpr double kSameLine = 0.99;  // cosine
+  return std::abs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) > kSameLine;
+}
+
 }  // namespace
 
 Survey::Survey(const Analysis& analysis, SurveyOptions options)
@@ -70,6 +77,7 @@ Survey::Survey(const Analysis& analysis, SurveyOptions options)
                                                                       : identify::Roving::hammer)),
       geometry_(options_.geometry ? options_.geometry : acquire::geometry_of_record(analysis.record().geometry)) {
   place_points();
+  find_motions();
   find_driving_points();
 }
 
@@ -109,6 +117,43 @@ void Survey::place_points() {
   require_points(*geometry_, measured, options_.geometry_source.empty() ? record.source() : options_.geometry_source,
                  matched_, files);
   add(missing_points(*geometry_, measured, matched_, record.files.size()));
+}
+
+void Survey::find_motions() {
+  const acquire::Record& record = analysis_.record();
+  const bool sensors = roving_ == identify::Roving::sensor;
+  if (record.sensor_roves == sensors) motions_ = record.motions;
+  const auto is_stated = [](const acquire::GeometryPoint& p) { return p.along.has_value(); };
+  if (!geometry_ || std::none_of(geometry_->points.begin(), geometry_->points.end(), is_stated)) return;
+  const auto axis = sensors && !record.accel.empty() ? record.accel.front().axis : record.force.axis;
+  const auto refuse = [&](int point, const std::string& problem, const char* remedy) {
+    throw InputError(fmt::format("the geometry states one direction of point {}, {}", stated_number(point), problem),
+                     options_.geometry_source.empty() ? record.source() : options_.geometry_source, remedy,
+                     {"geometry"});
+  };
+  std::map<int, acquire::PointMotion> given;
+  std::map<int, int> directions;  // points at each place
+  for (const int point : analysis_.points()) ++directions[place_of(static_cast<std::size_t>(point))];
+  for (const int point : analysis_.points()) {
+    const acquire::GeometryPoint* const at = geometry_point(static_cast<std::size_t>(point));
+    if (at == nullptr || !at->along) continue;
+    if (sensors && record.accel.size() > 1) {
+      refuse(at->point, fmt::format("where {} sensors measured", record.accel.size()),
+             "remove the column, and state the directions of the channels in a set-up");
+    }
+    if (directions[at->point] > 1)
+      refuse(at->point, "which was struck in several", "remove the column: the record states the directions");
+    // The record's direction counts, since the reader changed the signs of values along negative ones.
+    const acquire::PointMotion* const stated = acquire::find_motion(motions_, point, 0);
+    const auto own = stated != nullptr && stated->along ? stated->along : axis;
+    if (own && !on_one_line(*own, *at->along))
+      refuse(at->point, "the record or its set-up another one", "remove the column, or the direction in the set-up");
+    given[point] = {.point = point, .channel = 0, .place = at->point, .along = own ? own : at->along};
+  }
+  geometry_has_directions_ = !given.empty();
+  std::erase_if(motions_, [&](const auto& motion) { return given.contains(motion.point) && motion.channel == 0; });
+  for (const auto& [point, motion] : given) motions_.push_back(motion);
+  acquire::sort_motions(motions_);
 }
 
 const acquire::GeometryPoint* Survey::geometry_point(std::size_t point) const {
@@ -194,13 +239,11 @@ const std::vector<identify::ModeClassification>& Survey::classifications() const
   return within_budget(analysis_.budget(), classifications_, [&] { return classify_by_shapes(); });
 }
 
-// Uses the radial part of the shape if the record states the directions of the roving hammer or sensor. Otherwise takes
-// the whole shape as radial.
+// Uses the radial part of the shape if the directions of the roving hammer or sensor are stated. Otherwise takes the
+// whole shape as radial.
 std::optional<identify::TubeShape> Survey::shape_on_tube(const identify::ModeShape& shape) const {
-  const acquire::Record& record = analysis_.record();
-  const bool stated = record.sensor_roves == (roving_ == identify::Roving::sensor) && !record.motions.empty();
-  if (!stated || tube_places_.empty()) return identify::tube_shape(shape, tube_places_);
-  return identify::tube_shape(radial_shape(shape, record.motions, *geometry_), tube_places_);
+  if (motions_.empty() || tube_places_.empty()) return identify::tube_shape(shape, tube_places_);
+  return identify::tube_shape(radial_shape(shape, motions_, *geometry_), tube_places_);
 }
 
 // The orders below the band. The modes there are classified by their shapes, where they have one on the tube.

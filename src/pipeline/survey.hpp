@@ -33,7 +33,8 @@ struct SurveyOptions {
 /// when first demanded, and kept. `analysis` must outlive it. Not for use by several threads at once.
 class Survey {
  public:
-  /// errors  InputError: a measured point that the given geometry lacks; a driving point that was not measured.
+  /// errors  InputError: a measured point that the given geometry lacks; a driving point that was not measured; the
+  /// geometry states a direction of a point that the record states otherwise, or one for several at a place.
   Survey(const Analysis& analysis, SurveyOptions options);
 
   const Analysis& analysis() const { return analysis_; }
@@ -48,6 +49,11 @@ class Survey {
   int place_of(std::size_t point) const;
   /// The point of geometry() at the place of a measured point; nullptr without one.
   const acquire::GeometryPoint* geometry_point(std::size_t point) const;
+  /// What is stated of the points that moved: of the struck ones with a roving hammer (channel 0), else of the sensors.
+  /// Sorted. Where the record or its set-up states no direction of a point, that of the geometry counts.
+  const std::vector<acquire::PointMotion>& motions() const { return motions_; }
+  /// Whether the geometry states the direction of a measured point.
+  bool geometry_has_directions() const { return geometry_has_directions_; }
   /// The number that the geometry's file has for a point of geometry(), whose numbers are the record's.
   int stated_number(int point) const;
 
@@ -55,7 +61,7 @@ class Survey {
   /// All results of the survey are about these.
   const std::vector<identify::Mode>& modes() const { return split_modes().modes; }
   const SurveyModes& split_modes() const;
-  /// [modes]; a value is positive along the positive direction that the record states, if any.
+  /// [modes]; a value is positive along the positive direction that the geometry or the record states, if any.
   const std::vector<identify::ModeShape>& shapes() const;
   /// [modes]; nothing where the geometry is no tube.
   const std::vector<std::optional<identify::TubeShape>>& tubes() const;
@@ -75,6 +81,7 @@ class Survey {
  private:
   bool is_tube() const;
   void place_points();
+  void find_motions();
   void find_driving_points();
   std::optional<identify::TubeShape> shape_on_tube(const identify::ModeShape& shape) const;
   std::vector<identify::ModeClassification> classify_by_shapes() const;
@@ -85,6 +92,8 @@ class Survey {
   identify::Roving roving_;
   std::optional<acquire::Geometry> geometry_;
   MatchedPoints matched_;
+  std::vector<acquire::PointMotion> motions_;
+  bool geometry_has_directions_ = false;
   std::vector<Warning> geometry_warnings_;  // also about the numbers of driving points
   identify::TubeGeometry tube_places_;
   std::vector<identify::DrivingPoint> driving_;

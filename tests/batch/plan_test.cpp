@@ -68,6 +68,16 @@ TEST_F(BatchPlan, ListsFilesInNaturalOrder) {
   EXPECT_THAT(record_files({folder_.file("*.csv")}).paths, ElementsAre(two, ten));
 }
 
+TEST_F(BatchPlan, NamesThePartsOfHits) {
+  const auto parts =
+      hits_of_one_part({"x/A/hit10.h5", "x/A/hit2.h5", "x/B_hit1.h5", "x/B_hit2.h5", "hit1.h5", "hit2.h5", "x/C.h5"});
+  ASSERT_EQ(parts.size(), 3U);
+  EXPECT_EQ(parts[0].part, "A");
+  EXPECT_THAT(parts[0].paths, ElementsAre("x/A/hit2.h5", "x/A/hit10.h5"));
+  EXPECT_EQ(parts[1].part, "B");
+  EXPECT_EQ(parts[2].part, "") << "neither a name nor a folder";
+}
+
 TEST_F(BatchPlan, ReadsOnePathPerLine) {
   EXPECT_THAT(parse_path_list("a b.h5\r\n\nc.h5\nd.h5"), ElementsAre("a b.h5", "c.h5", "d.h5"));
   EXPECT_TRUE(parse_path_list("").empty());

@@ -194,6 +194,12 @@ TEST_F(AnalyzeResponses, WritesTheModesThatAreAskedFor) {
   const auto shapes = run_percuss({"analyze", "ping.wav", "--modes-file", "m.uff"}, {.folder = folder_.path()});
   EXPECT_EQ(shapes.code, 2);
   EXPECT_THAT(shapes.err, HasSubstr("--modes-file needs a force"));
+  const auto both = run_percuss(
+      {"analyze", "ping.wav", "--modes-file", "again.csv", "--modes-file", "again.json", "-o", "o.json", "--quiet"},
+      {.folder = folder_.path()});
+  ASSERT_EQ(both.code, 0) << both.err;
+  EXPECT_EQ(test::bytes_of(folder_.file("again.csv")), bytes);
+  EXPECT_EQ(test::bytes_of(folder_.file("again.json")), test::bytes_of(folder_.file("o.json")));
 }
 
 // A recording of a dead microphone, and one without a blow.

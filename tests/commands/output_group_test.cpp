@@ -39,6 +39,7 @@ TEST_F(OutputGroups, AreAbsentWhenOneFails) {
   const std::vector<std::vector<std::string>> commands{
       {"analyze", record_, "-o", folder_.file("a.html"), "-o", folder_.file("a.h5"), "-o", failing_},
       {"analyze", record_, "--frf", folder_.file("a.mat"), "--modes-file", folder_.file("m.csv"), "-o", failing_},
+      {"analyze", record_, "--frf", folder_.file("a.mat"), "--frf", folder_.file(long_name_ + ".csv")},
       {"frf", record_, "-o", folder_.file("f.csv"), "-o", folder_.file("f.mat"), "-o", failing_},
       {"survey", record_, "-o", folder_.file("s.uff"), "-o", folder_.file("s.h5"), "-o", failing_},
       {"deflect", record_, "-o", folder_.file("d.csv"), "-o", folder_.file("d.h5"), "-o", failing_},
@@ -96,6 +97,29 @@ TEST_F(OutputGroups, HoldModesOrFrfsByNameOrOption) {
   EXPECT_EQ(modes.size(), 1U + 2 * 2) << "two modes at one point and two channels";
   EXPECT_EQ(lines("modes.csv"), modes);
   EXPECT_EQ(lines("bat.modes.csv"), modes);
+}
+
+TEST_F(OutputGroups, HoldFrfsAndModesInSeveralFormats) {
+  const auto outcome =
+      run_percuss({"analyze", record_, "--quiet", "--frf", folder_.file("a.csv"), "--frf", folder_.file("a.h5"),
+                   "--modes-file", folder_.file("m.csv"), "--modes-file", folder_.file("m.json"), "--modes-file",
+                   folder_.file("m.uff"), "-o", folder_.file("same.csv"), "-o", folder_.file("same.json")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(files(), UnorderedElementsAre("a.csv", "a.h5", "m.csv", "m.json", "m.uff", "same.csv", "same.json"));
+  EXPECT_EQ(test::bytes_of(folder_.file("a.csv")), test::bytes_of(folder_.file("same.csv")));
+  EXPECT_EQ(test::bytes_of(folder_.file("m.json")), test::bytes_of(folder_.file("same.json")));
+  EXPECT_THAT(test::bytes_of(folder_.file("m.csv")), testing::StartsWith("mode,frequency_hz,"));
+}
+
+TEST_F(OutputGroups, RefuseOneNameOfFrfsTwice) {
+  const auto outcome =
+      run_percuss({"analyze", record_, "--frf", folder_.file("a.csv"), "--frf", folder_.file("a.csv")});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, testing::HasSubstr("is to be written twice"));
+  const auto kind =
+      run_percuss({"analyze", record_, "--modes-file", folder_.file("m.csv"), "--modes-file", folder_.file("m.h5")});
+  EXPECT_EQ(kind.code, 2);
+  EXPECT_THAT(files(), IsEmpty());
 }
 
 // The numbers of tests alone do not tell which file a mode is of.

@@ -95,13 +95,13 @@ double component(const Dof& at) {
          kMotion.at(static_cast<std::size_t>(at.node - 1)).at(static_cast<std::size_t>(std::abs(at.direction) - 1));
 }
 
-std::string frf_between(const Dof& response, const Dof& reference) {
+std::string frf_between(const Dof& response, const Dof& reference, bool stated = true) {
   constexpr std::size_t kLines = 400;
   const test::UffText set{.type = 4,
                           .response_node = response.node,
                           .response_direction = response.direction,
                           .reference_node = reference.node,
-                          .reference_direction = reference.direction,
+                          .reference_direction = stated ? reference.direction : 0,
                           .ordinate_type = 5,
                           .values = kLines,
                           .dx = "  1.00000E+00",
@@ -200,6 +200,69 @@ TEST_F(StatedDirections, MoveTheNodesOfARovingTriaxialSensor) {
   EXPECT_EQ(document["roving"], "sensor");
   EXPECT_NEAR(document["modes"][0]["shape"]["modal_mass_kg"].get<double>(), 1 / (0.9 * 0.9), kWithin);
   expect_the_motion_of_all_nodes();
+}
+
+// Blows whose directions only the geometry states.
+TEST_F(StatedDirections, AreThoseOfTheGeometry) {
+  const Dof sensor{1, 3};
+  std::string text;
+  for (const Dof& blow : {Dof{1, 3}, Dof{2, -1}, Dof{3, 2}, Dof{4, -3}}) text += frf_between(sensor, blow, false);
+  test::write_bytes(folder_.file("frf.uff"), text);
+  const auto run = [&](const std::string& geometry) {
+    test::write_bytes(folder_.file("points.csv"), geometry);
+    return run_percuss({"survey", folder_.file("frf.uff"), "--band", "150:250", "--geometry",
+                        folder_.file("points.csv"), "--json", "--force", "-o", folder_.file("modes.uff")});
+  };
+  for (const char* geometry : {"point,x_m,y_m,dx,dy,dz\n1,0,0,,,2\n2,1,0,-1,0,0\n3,1,1,0,0.5,0\n4,0,1,0,0,-1\n",
+                               "point,x_m,y_m,direction\n1,0,0,\n2,1,0,-x\n3,1,1,+Y\n4,0,1,-z\n"}) {
+    const auto outcome = run(geometry);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto document = test::parse_json(outcome.out);
+    EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), testing::IsEmpty());
+    EXPECT_EQ(document["places"][1]["direction"], nlohmann::json::parse("[-1.0, 0.0, 0.0]"));
+    auto motion = motion_in(folder_.file("modes.uff"));
+    const std::map<int, std::array<double, 3>> expected{
+        {1, {0, 0, 0.9}}, {2, {-0.6, 0, 0}}, {3, {0, 0.2, 0}}, {4, {0, 0, 0.55}}};
+    ASSERT_EQ(motion.size(), 4U);
+    const double scale = 0.9 / motion[1][2];
+    for (const auto& [node, moved] : expected) {
+      for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(scale * motion[node].at(i), moved.at(i), kWithin) << node << " " << i << " " << geometry;
+    }
+  }
+}
+
+// The reader has changed the sign of a blow along −x, so that the record's direction counts.
+TEST_F(StatedDirections, OfTheRecordPrecedeThoseOfTheGeometry) {
+  const Dof sensor{1, 3};
+  std::string text;
+  for (const Dof& blow : {Dof{1, 3}, Dof{2, -1}}) text += frf_between(sensor, blow);
+  test::write_bytes(folder_.file("frf.uff"), text);
+  const auto run = [&](const std::string& direction) {
+    test::write_bytes(folder_.file("points.csv"), "point,x_m,y_m,direction\n1,0,0,\n2,1,0," + direction + "\n");
+    return run_percuss({"survey", folder_.file("frf.uff"), "--band", "150:250", "--geometry",
+                        folder_.file("points.csv"), "--force", "-o", folder_.file("modes.uff")});
+  };
+  ASSERT_EQ(run("-x").code, 0);
+  auto motion = motion_in(folder_.file("modes.uff"));
+  EXPECT_NEAR(motion[2][0] / motion[1][2], -0.6 / 0.9, kWithin);
+  const auto refused = run("+y");
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err,
+              testing::HasSubstr("the geometry states one direction of point 2, the record or its set-up another one"));
+}
+
+TEST_F(StatedDirections, OfTheGeometryAreOneForEachPlace) {
+  std::string text;
+  for (const int direction : {1, 3}) {
+    for (int node = 1; node <= 4; ++node) text += frf_between({1, 3}, {node, direction});
+  }
+  test::write_bytes(folder_.file("frf.uff"), text);
+  test::write_bytes(folder_.file("points.csv"), "point,x_m,y_m,dz\n1,0,0,1\n2,1,0,1\n3,1,1,1\n4,0,1,1\n");
+  const auto refused =
+      run_percuss({"survey", folder_.file("frf.uff"), "--band", "150:250", "--geometry", folder_.file("points.csv")});
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, testing::HasSubstr("of point 1, which was struck in several"));
 }
 
 // Sensors without an angle, whose directions the set-up states. A sandboxed process reads the HDF5 file and passes them

@@ -30,7 +30,8 @@ int analyze(const AnalyzeFlags& flags) {
   const ThreadLimit limit(flags.analysis.threads);
   check_analyze_outputs(flags);
   const auto sections = flags.only.empty() ? report::default_sections() : report::parse_report_sections(flags.only);
-  const bool wants_json = flags.output.json || !flags.compared.empty() || is_json(flags.modes_path) ||
+  const bool wants_json = flags.output.json || !flags.compared.empty() ||
+                          std::any_of(flags.modes_paths.begin(), flags.modes_paths.end(), is_json) ||
                           std::any_of(flags.output.paths.begin(), flags.output.paths.end(), is_json);
   if (flags.stabilisation && !wants_json) {
     throw OptionError({"stabilisation"}, "needs a JSON document to be written in", "print one, or write a .json file",
@@ -108,14 +109,14 @@ void add_analyze(CommandLine& line) {
   add_output_flags(command, flags->output, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".mat", ".uff", ".unv"});
   const std::string previous = command.heading("Output");
   command
-      .value(
-          "--frf", flags->frf_path,
-          "Write the FRFs to this file: .csv, .h5, .hdf5, .mat, .uff, .unv (-o writes mode shapes to .uff, and modes "
-          "to NAME.modes.csv)")
+      .repeatable("--frf", flags->frf_paths,
+                  "Write the FRFs to this file (repeatable): .csv, .h5, .hdf5, .mat, .uff, .unv (-o writes mode shapes "
+                  "to .uff, and modes to NAME.modes.csv)")
       .type("FILE");
   command
-      .value("--modes-file", flags->modes_path,
-             "Write the modes to this file: .csv with a row per mode, point and channel; .json; .uff, .unv")
+      .repeatable(
+          "--modes-file", flags->modes_paths,
+          "Write the modes to this file (repeatable): .csv with a row per mode, point and channel; .json; .uff, .unv")
       .type("FILE");
   command.heading(previous);
   command

@@ -79,15 +79,16 @@ void check_analyze_outputs(const AnalyzeFlags& flags) {
   const OutputFlags& output = flags.output;
   check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".mat", ".uff", ".unv"});
   std::vector<std::string> all = output.paths;
-  const auto check = [&](const std::string& path, const std::vector<std::string>& known) {
-    if (path.empty()) return;
-    check_outputs(single_output(output, path, output.force), known);
-    if (std::find(all.begin(), all.end(), path) != all.end())
-      throw OptionError({}, "'" + path + "' is to be written twice", "name each file once");
-    all.push_back(path);
+  const auto check = [&](const std::vector<std::string>& paths, const std::vector<std::string>& known) {
+    for (const std::string& path : paths) {
+      check_outputs(single_output(output, path, output.force), known);
+      if (std::find(all.begin(), all.end(), path) != all.end())
+        throw OptionError({}, "'" + path + "' is to be written twice", "name each file once");
+      all.push_back(path);
+    }
   };
-  check(flags.frf_path, acquire::frf_extensions());
-  check(flags.modes_path, {".csv", ".json", ".uff", ".unv"});
+  check(flags.frf_paths, acquire::frf_extensions());
+  check(flags.modes_paths, {".csv", ".json", ".uff", ".unv"});
 }
 
 bool is_modes_table(const std::string& path) {
@@ -99,9 +100,11 @@ bool is_modes_table(const std::string& path) {
 
 bool holds_several_tests(const AnalyzeFlags& flags) {
   const auto holds = [](const std::string& path) { return is_json(path) || is_modes_table(path); };
-  const std::string kind = extension_of(flags.modes_path);
-  return std::all_of(flags.output.paths.begin(), flags.output.paths.end(), holds) && flags.frf_path.empty() &&
-         (flags.modes_path.empty() || kind == ".csv" || kind == ".json");
+  const auto is_table_or_document = [](const std::string& path) {
+    return extension_of(path) == ".csv" || is_json(path);
+  };
+  return std::all_of(flags.output.paths.begin(), flags.output.paths.end(), holds) && flags.frf_paths.empty() &&
+         std::all_of(flags.modes_paths.begin(), flags.modes_paths.end(), is_table_or_document);
 }
 
 void require_one_test(const AnalyzeFlags& flags, const std::set<report::ReportSection>& sections, std::size_t tests) {
@@ -146,21 +149,23 @@ void note_missing(const AnalyzeFlags& flags, const char* what, const std::string
 // The files that --frf and --modes-file name.
 void write_named_outputs(const AnalyzeFlags& flags, const AnalyzeResults& results) {
   const pipeline::Analysis& analysis = *results.tests.front().analysis;
-  const std::string &frf = flags.frf_path, &modes = flags.modes_path;
-  if (!frf.empty() && analysis.possible()) {
-    acquire::write_frfs(frf, report::frf_record_of(analysis), acquire::FrfKind::accelerance, flags.output.force);
-  } else if (!frf.empty()) {
-    note_missing(flags, "FRFs", frf);
+  for (const std::string& frf : flags.frf_paths) {
+    if (analysis.possible()) {
+      acquire::write_frfs(frf, report::frf_record_of(analysis), acquire::FrfKind::accelerance, flags.output.force);
+    } else {
+      note_missing(flags, "FRFs", frf);
+    }
   }
-  if (modes.empty()) return;
-  if (is_json(modes)) {
-    write_file(modes, results.document, flags.output.force);
-  } else if (extension_of(modes) == ".csv") {
-    write_file(modes, modes_table(results), flags.output.force);
-  } else if (analysis.possible()) {
-    report::write_modes_uff(modes, analysis, flags.output.force);
-  } else {
-    note_missing(flags, "modes", modes);
+  for (const std::string& modes : flags.modes_paths) {
+    if (is_json(modes)) {
+      write_file(modes, results.document, flags.output.force);
+    } else if (extension_of(modes) == ".csv") {
+      write_file(modes, modes_table(results), flags.output.force);
+    } else if (analysis.possible()) {
+      report::write_modes_uff(modes, analysis, flags.output.force);
+    } else {
+      note_missing(flags, "modes", modes);
+    }
   }
 }
 
@@ -205,8 +210,8 @@ CommandResult outcome_of(const std::shared_ptr<const AnalyzeResults>& results, c
   outcome.save = [results, captured](const SaveRequest& request) {
     AnalyzeFlags flags = results->flags;
     flags.output = single_output(captured, request);
-    flags.frf_path.clear();
-    flags.modes_path.clear();
+    flags.frf_paths.clear();
+    flags.modes_paths.clear();
     check_analyze_outputs(flags);
     require_one_test(flags, results->sections, results->tests.size());
     write_outputs(flags, *results);

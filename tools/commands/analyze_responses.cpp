@@ -29,9 +29,8 @@ void refuse_force_options(const AnalyzeFlags& flags) {
                         {"force_channel"});
     }
   };
-  refuse(!flags.frf_path.empty(), "frf");
-  const std::string modes_kind = extension_of(flags.modes_path);
-  refuse(modes_kind == ".uff" || modes_kind == ".unv", "modes_file");
+  refuse(!flags.frf_paths.empty(), "frf");
+  refuse(std::any_of(flags.modes_paths.begin(), flags.modes_paths.end(), is_uff), "modes_file");
   for (const OptionId& option : pipeline::stated_force_options(analysis_options(flags.analysis))) refuse(true, option);
   refuse(flags.per_hit, "per_hit");
   refuse(flags.stabilisation, "stabilisation");
@@ -65,7 +64,7 @@ pipeline::ResponseWork work_of(const AnalyzeFlags& flags, const Sections& sectio
     return extension_of(path) == ".csv" || extension_of(path) == ".svg";
   };
   const bool modes = sections.contains(report::ReportSection::modes) ||
-                     sections.contains(report::ReportSection::classes) || !flags.modes_path.empty() ||
+                     sections.contains(report::ReportSection::classes) || !flags.modes_paths.empty() ||
                      std::any_of(flags.output.paths.begin(), flags.output.paths.end(), shows_modes);
   return modes ? pipeline::ResponseWork::modes : pipeline::ResponseWork::hits;
 }
@@ -132,11 +131,8 @@ int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> re
   const Sections sections = flags.only.empty() ? report::default_sections() : report::parse_report_sections(flags.only);
   std::vector<std::string> tables;  // of modes; the other files are a report's
   OutputFlags output = flags.output;
-  if (extension_of(flags.modes_path) == ".csv") {
-    tables.push_back(flags.modes_path);
-  } else if (!flags.modes_path.empty()) {
-    output.paths.push_back(flags.modes_path);
-  }
+  for (const std::string& path : flags.modes_paths)
+    (extension_of(path) == ".csv" ? tables : output.paths).push_back(path);
   refuse_frf_files(output, records.front().source());
   check_report_outputs(output);
   const auto first_table = std::stable_partition(output.paths.begin(), output.paths.end(),

@@ -18,7 +18,7 @@ struct AnalyzeFlags {
   ReadFlags read;
   AnalysisFlags analysis;
   OutputFlags output;
-  std::string frf_path, modes_path;  // --frf, --modes-file
+  std::vector<std::string> frf_paths, modes_paths;  // --frf, --modes-file
   std::vector<std::string> only;
   bool trace = false;
   bool explain = false;

@@ -192,8 +192,10 @@ void add_survey(CommandLine& line) {
   add_analysis_flags(command, flags->analysis);
   add_output_flags(command, flags->output, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".uff", ".unv", ".glb"});
   command
-      .value("--geometry", flags->geometry_path,
-             "Read the geometry from this file, a CSV as --example prints it (default: from the record)")
+      .value(
+          "--geometry", flags->geometry_path,
+          "Read the geometry from this file, a CSV as --example prints it; further columns, dx, dy and dz or direction "
+          "(+x ... -z), state where the blow or the roving sensor points (default: from the record)")
       .type("FILE");
   command
       .value("--roving", flags->roving,

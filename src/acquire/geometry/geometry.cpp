@@ -71,6 +71,28 @@ class Row {
     }
   }
 
+  // The direction of a blow or sensor; nothing where its cells are empty.
+  std::optional<std::array<double, 3>> direction(const GeometryColumns& columns) const {
+    const std::string_view name = cell(columns, kDirection);
+    if (!name.empty()) return axis_of(name);
+    std::array<double, 3> out{};
+    bool stated = false;
+    for (std::size_t axis = 0; axis < out.size(); ++axis) {
+      const std::size_t field = kDx + axis;
+      if (cell(columns, field).empty()) continue;
+      out.at(axis) = number(columns, field);
+      stated = true;
+    }
+    if (!stated) return std::nullopt;
+    const double length = std::hypot(out[0], out[1], out[2]);
+    if (!(length > 0)) {
+      throw InputError("the direction dx, dy, dz has no length", where_,
+                       "give the direction of the blow or sensor, such as 0,0,-1, or leave the cells empty");
+    }
+    for (double& component : out) component = component / length + 0.0;  // no −0
+    return out;
+  }
+
   int point(const GeometryColumns& columns) const {
     const double value = number(columns, kPoint);
     if (std::abs(value) <= static_cast<double>(kMaxPointNumber) && std::rint(value) == value &&
@@ -81,6 +103,25 @@ class Row {
   }
 
  private:
+  // Without blanks; empty where the file has no such column, or the row no such cell.
+  std::string_view cell(const GeometryColumns& columns, std::size_t field) const {
+    const auto index = columns.at(field).index;
+    return index && *index < cells_.size() ? trimmed(cells_[*index]) : std::string_view();
+  }
+
+  // "+x", "-z" or "y".
+  std::array<double, 3> axis_of(std::string_view name) const {
+    const bool is_signed = name.front() == '+' || name.front() == '-';
+    const std::string axis = lower_case(to_utf8(name.substr(is_signed ? 1 : 0)));
+    if (axis != "x" && axis != "y" && axis != "z") {
+      throw InputError(fmt::format("unknown direction \"{}\"", shown(name)), where_,
+                       "write +x, -x, +y, -y, +z or -z, or give the columns dx, dy and dz");
+    }
+    std::array<double, 3> out{};
+    out.at(static_cast<std::size_t>(axis.front() - 'x')) = name.front() == '-' ? -1 : 1;
+    return out;
+  }
+
   std::vector<std::string_view> cells_;
   bool decimal_comma_;
   std::string where_;
@@ -98,6 +139,7 @@ GeometryPoint point_of(const Row& row, const GeometryColumns& columns) {
     out.xyz_m = {number(kX), number(kY), number(kZ)};
   }
   if (columns[kRadius].index) out.radius_m = row.number(columns, kRadius);
+  out.along = row.direction(columns);
   return out;
 }
 

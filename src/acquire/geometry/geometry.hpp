@@ -13,9 +13,10 @@ namespace percuss::acquire {
 struct GeometryPoint {
   int point = 0;
   std::optional<std::array<double, 3>> xyz_m;
-  double position_m = 0;  // along the tube's axis, from the barrel's end
-  double angle_rad = 0;   // around the axis
-  double radius_m = 0;    // for drawings; 0: not stated
+  double position_m = 0;                         // along the tube's axis, from the barrel's end
+  double angle_rad = 0;                          // around the axis
+  double radius_m = 0;                           // for drawings; 0: not stated
+  std::optional<std::array<double, 3>> along{};  // unit vector of a positive value: of the blow or of the sensor
 };
 
 struct Geometry {
@@ -34,10 +35,13 @@ struct Geometry {
 /// A coordinate without a column is 0; positions without angles lie on a line. Drawings connect points by the optional
 /// columns `lines` and `faces`, or by rows "line,0,1,2" and "face,0,1,5,4" (see geometry_connections.hpp). Columns may
 /// have any order. Units are m, mm, cm, in and deg, rad; they stand in the name ("x_mm", "angle (rad)") or in a line of
-/// units. Lengths without a unit are taken as m unless they exceed 10. Delimiters, quotes and comments are as in
-/// records. Coordinates of points around an axis are turned into position and angle (tube_from_coordinates).
+/// units. Lengths without a unit are taken as m unless they exceed 10. Optional columns state the direction of a blow
+/// or sensor: `dx`, `dy` and `dz` of any length, or `direction` with +x … -z; points without one have empty cells.
+/// Delimiters, quotes and comments are as in records. Coordinates of points around an axis are turned into position and
+/// angle (tube_from_coordinates).
 /// errors  InputError with file, line and remedy: no such columns, a cell that is not a number, a point twice, lengths
-///         above 10 or an angle without a unit, a connection with a point that is not listed, a text that is too long.
+///         above 10 or an angle without a unit, a connection with a point that is not listed, an unknown direction or
+///         one without length, a text that is too long.
 Geometry read_geometry(const std::string& path);
 
 /// As read_geometry, for a text in memory; `where` names it.

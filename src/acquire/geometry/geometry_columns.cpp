@@ -24,7 +24,11 @@ constexpr std::array<std::array<std::string_view, 3>, kGeometryFields> kNames = 
                                                                                   {"angle", "theta", "phi"},
                                                                                   {"radius", "r"},
                                                                                   {"lines"},
-                                                                                  {"faces"}}};
+                                                                                  {"faces"},
+                                                                                  {"direction"},
+                                                                                  {"dx"},
+                                                                                  {"dy"},
+                                                                                  {"dz"}}};
 Quantity quantity_of(std::size_t field) { return field == kAngle ? Quantity::angle : Quantity::length; }
 
 void set_unit(GeometryColumn& column, std::size_t field, std::string_view unit, const std::string& where) {
@@ -63,6 +67,8 @@ GeometryColumns geometry_columns(const std::vector<std::string_view>& names, con
                      "give x, y, z (missing ones are 0), or position with or without angle: point,x_m,y_m,z_m or "
                      "point,position_m,angle_deg");
   }
+  if (has(kDirection) && (has(kDx) || has(kDy) || has(kDz)))
+    throw InputError("the columns hold two kinds of directions", where, "keep direction, or dx, dy and dz");
   return columns;
 }
 

@@ -14,7 +14,22 @@ namespace percuss::acquire {
 inline constexpr const char* kGeometryRemedy = "write a table like the example";
 
 /// The columns of a geometry file.
-enum GeometryField : std::size_t { kPoint, kX, kY, kZ, kPosition, kAngle, kRadius, kLines, kFaces, kGeometryFields };
+enum GeometryField : std::size_t {
+  kPoint,
+  kX,
+  kY,
+  kZ,
+  kPosition,
+  kAngle,
+  kRadius,
+  kLines,
+  kFaces,
+  kDirection,
+  kDx,
+  kDy,
+  kDz,
+  kGeometryFields
+};
 
 struct GeometryColumn {
   std::optional<std::size_t> index;
@@ -27,7 +42,8 @@ using GeometryColumns = std::array<GeometryColumn, kGeometryFields>;
 std::string_view geometry_field_name(std::size_t field);
 
 /// Finds the columns by the names in the first line. `where` names the line.
-/// errors  InputError: no column of points, no place, two kinds of places, a column twice, an unknown unit
+/// errors  InputError: no column of points, no place, two kinds of places or directions, a column twice, an unknown
+/// unit
 GeometryColumns geometry_columns(const std::vector<std::string_view>& names, const std::string& where);
 
 /// Takes a line of units below the names: a line without numbers. Returns false for a line with numbers.

@@ -39,17 +39,29 @@ std::string_view without_separators(std::string_view text) {
   return text;
 }
 
-std::optional<NameOfHit> name_of_hit(const std::string& path) {
-  const std::filesystem::path file(path);
-  const std::string name = file.stem().string();
+// A name without extension, split at the number at its end.
+struct NumberedName {
+  std::string_view text;  // what precedes the number
+  int number = 0;
+};
+
+std::optional<NumberedName> numbered_name(std::string_view name) {
   std::string_view text = name;
   if (text.ends_with(')')) text.remove_suffix(1);
   const std::string_view all = text;
   while (!text.empty() && is_digit(text.back())) text.remove_suffix(1);
   const std::string_view digits = all.substr(text.size());
   if (digits.empty() || digits.size() > kMaxHitDigits) return std::nullopt;
-  std::string_view stem = without_separators(text);
-  bool separated = stem.size() < text.size();
+  return NumberedName{.text = text, .number = std::stoi(std::string(digits))};
+}
+
+std::optional<NameOfHit> name_of_hit(const std::string& path) {
+  const std::filesystem::path file(path);
+  const std::string name = file.stem().string();
+  const auto numbered = numbered_name(name);
+  if (!numbered) return std::nullopt;
+  std::string_view stem = without_separators(numbered->text);
+  bool separated = stem.size() < numbered->text.size();
   for (const std::string_view word : {"hit", "h"}) {
     const auto at = start_of_word(stem, word);
     if (!at) continue;
@@ -58,7 +70,24 @@ std::optional<NameOfHit> name_of_hit(const std::string& path) {
     break;
   }
   if (!separated || stem.empty()) return std::nullopt;
-  return NameOfHit{.stem = (file.parent_path() / std::string(stem)).string(), .number = std::stoi(std::string(digits))};
+  return NameOfHit{.stem = (file.parent_path() / std::string(stem)).string(), .number = numbered->number};
+}
+
+// The files of one word and one name before it.
+struct CalledHits {
+  FilesOfHits group;
+  std::set<int> numbers;
+  bool repeated = false;  // a number occurs twice
+};
+
+// The index at which a word for a hit starts, at the end of the text; nothing if it ends in none.
+std::optional<std::size_t> start_of_hit_word(std::string_view text) {
+  for (const std::string_view word : {"hit", "impact", "blow", "strike", "tap"}) {
+    // A blank stands for the letter that must not precede the word.
+    const auto at = start_of_word(" " + std::string(text), word);
+    if (at) return *at - 1;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -83,6 +112,33 @@ std::vector<FilesOfHits> files_of_hits(const std::vector<std::string>& paths) {
     if (one.size() > 1 && ++alike[one] > 1) return groups;
   }
   return {};
+}
+
+std::vector<FilesOfHits> files_called_hits(const std::vector<std::string>& paths) {
+  std::vector<CalledHits> called;
+  std::map<std::string, std::size_t> group_of;  // by folder, name and word
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const std::filesystem::path file(paths[i]);
+    const std::string name = file.stem().string();
+    const auto numbered = numbered_name(name);
+    if (!numbered) continue;
+    const std::string_view text = without_separators(numbered->text);
+    const auto at = start_of_hit_word(text);
+    if (!at) continue;
+    const auto [found, is_new] = group_of.emplace((file.parent_path() / text).string(), called.size());
+    if (is_new) {
+      const auto stem = file.parent_path() / std::string(without_separators(text.substr(0, *at)));
+      called.push_back({.group = {.stem = stem.string(), .files = {}}, .numbers = {}});
+    }
+    CalledHits& one = called[found->second];
+    one.group.files.push_back(i);
+    if (!one.numbers.insert(numbered->number).second) one.repeated = true;
+  }
+  std::vector<FilesOfHits> groups;
+  for (CalledHits& one : called) {
+    if (one.group.files.size() > 1 && !one.repeated) groups.push_back(std::move(one.group));
+  }
+  return groups;
 }
 
 }  // namespace percuss::acquire

@@ -61,9 +61,20 @@ Json geometry_json(const pipeline::Survey& survey) {
           {"tube", survey.geometry()->tube}};
 }
 
-// The direction of a positive value of a point; null where the record does not state it.
-Json direction_json(const acquire::Record& record, int point) {
-  for (const acquire::PointMotion& motion : record.motions) {
+// What is stated of the points that moved, or of the struck points where only the record states directions.
+const std::vector<acquire::PointMotion>& stated_motions(const pipeline::Survey& survey) {
+  return survey.geometry_has_directions() ? survey.motions() : survey.analysis().record().motions;
+}
+
+// Whether these are motions of roving sensors.
+bool are_of_sensors(const pipeline::Survey& survey) {
+  return survey.geometry_has_directions() ? survey.roving() == identify::Roving::sensor
+                                          : survey.analysis().record().sensor_roves;
+}
+
+// The direction of a positive value of a point; null where it is not stated.
+Json direction_json(const std::vector<acquire::PointMotion>& motions, int point) {
+  for (const acquire::PointMotion& motion : motions) {
     if (motion.point == point && motion.along) return *motion.along;
   }
   return {};
@@ -72,7 +83,8 @@ Json direction_json(const acquire::Record& record, int point) {
 // The numbers that people see, the coordinates and the directions of the points; empty where the record's numbers are
 // all that is known.
 Json places_json(const pipeline::Survey& survey) {
-  const acquire::Record& record = survey.analysis().record();
+  // Several roving sensors at one point have directions of their own.
+  const bool one_direction = survey.geometry_has_directions() || !are_of_sensors(survey);
   Json out = Json::array();
   bool known = survey.geometry().has_value();
   for (const int point : survey.analysis().points()) {
@@ -91,19 +103,19 @@ Json places_json(const pipeline::Survey& survey) {
       json["position_m"] = place->position_m;
       json["angle_deg"] = place->angle_rad * kRadian_deg;
     }
-    const Json direction = record.sensor_roves ? Json() : direction_json(record, point);
+    const Json direction = one_direction ? direction_json(stated_motions(survey), point) : Json();
     if (!direction.is_null()) json["direction"] = direction;
     out.push_back(std::move(json));
   }
   return known ? out : Json::array();
 }
 
-// What the record states of its points' directions and places.
-Json motions_json(const acquire::Record& record) {
+// What is stated of the points' directions and places.
+Json motions_json(const pipeline::Survey& survey) {
   Json out = Json::array();
-  for (const acquire::PointMotion& motion : record.motions) {
+  for (const acquire::PointMotion& motion : stated_motions(survey)) {
     Json json{{"point", motion.point}};
-    if (record.sensor_roves) json["channel"] = motion.channel;
+    if (are_of_sensors(survey)) json["channel"] = motion.channel;
     json["place"] = motion.place;
     json["direction"] = motion.along ? Json(*motion.along) : Json();
     out.push_back(std::move(json));
@@ -187,8 +199,7 @@ std::string survey_json(const pipeline::Survey& survey, JsonOptions options) {
   document.add_written("roving", Json(survey.roving() == identify::Roving::hammer ? "hammer" : "sensor"));
   document.add_written("geometry", geometry_json(survey));
   if (const Json places = places_json(survey); !places.empty()) document.add_written("places", places);
-  if (!survey.analysis().record().motions.empty())
-    document.add_written("motion", motions_json(survey.analysis().record()));
+  if (!stated_motions(survey).empty()) document.add_written("motion", motions_json(survey));
   if (possible) {
     document.add_written("auto_mac", mac_json(survey));
     survey.synthesis();

@@ -52,15 +52,15 @@ bool on_tube(const pipeline::Survey* survey) {
   return survey != nullptr && survey->geometry() && survey->geometry()->tube;
 }
 
-// The direction of a positive response as the record states it: of the point, else of the sensor or the hammer. For a
-// point without a direction, nothing on a tube, where the motion is radial, and nothing for a sensor with a stated
-// angle, which takes precedence.
-std::optional<acquire::Direction> stated_direction(const pipeline::Analysis& analysis, std::size_t point,
-                                                   std::size_t channel, bool sensors, bool tube) {
+// The direction of a positive response as the geometry or the record states it: of the point, else of the sensor or the
+// hammer. For a point without a direction, nothing on a tube, where the motion is radial, and nothing for a sensor with
+// a stated angle, which takes precedence.
+std::optional<acquire::Direction> stated_direction(const pipeline::Survey* survey, const pipeline::Analysis& analysis,
+                                                   std::size_t point, std::size_t channel, bool sensors, bool tube) {
   const acquire::Record& record = analysis.record();
-  if (record.sensor_roves == sensors) {
-    const auto* const motion =
-        acquire::find_motion(record.motions, static_cast<int>(point), sensors ? channel : std::size_t{0});
+  if (survey != nullptr || record.sensor_roves == sensors) {
+    const auto* const motion = acquire::find_motion(survey != nullptr ? survey->motions() : record.motions,
+                                                    static_cast<int>(point), sensors ? channel : std::size_t{0});
     if (motion != nullptr && motion->along) return motion->along;
   }
   if (tube) return std::nullopt;
@@ -81,7 +81,7 @@ void add_stated_directions(const pipeline::Survey& survey, PlotMesh& mesh) {
     const std::size_t index = at->second;
     mesh.index.emplace(static_cast<int>(place.point), index);
     ++components[index];
-    stated[index] = stated_direction(survey.analysis(), place.point, place.channel, sensors, tube);
+    stated[index] = stated_direction(&survey, survey.analysis(), place.point, place.channel, sensors, tube);
   }
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     if (components[i] == 1 && stated[i]) mesh.normals[i] = *stated[i];
@@ -138,7 +138,7 @@ std::array<double, 3> response_direction(const PlotMesh* mesh, const pipeline::S
                                          const pipeline::Analysis& analysis, std::size_t point, std::size_t channel,
                                          bool sensors) {
   const bool tube = on_tube(survey);
-  if (const auto stated = stated_direction(analysis, point, channel, sensors, tube)) return *stated;
+  if (const auto stated = stated_direction(survey, analysis, point, channel, sensors, tube)) return *stated;
   const auto& accel = analysis.record().accel;
   if (!tube && sensors && channel < accel.size() && accel[channel].angle_rad)
     return {0.0, std::cos(*accel[channel].angle_rad), std::sin(*accel[channel].angle_rad)};

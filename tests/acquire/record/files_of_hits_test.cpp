@@ -55,4 +55,25 @@ TEST(FilesOfHits, LeaveOtherNamesAlone) {
     EXPECT_THAT(files_of_hits(paths), IsEmpty()) << testing::PrintToString(paths);
 }
 
+TEST(FilesCalledHits, AreGroupedByFolderAndName) {
+  const std::vector<std::string> paths{"A/hit1.wav", "A/hit2.wav", "A/notes.csv", "B/Hit_1.wav",   "B/Hit_2.wav",
+                                       "hit1.h5",    "hit2.h5",    "C_blow1.h5",  "C_blow (2).h5", "C_hit1.h5"};
+  const std::vector<FilesOfHits> groups = files_called_hits(paths);
+  ASSERT_EQ(groups.size(), 4U);
+  EXPECT_EQ(groups[0].stem, "A/");
+  EXPECT_THAT(groups[0].files, ElementsAre(0U, 1U));
+  EXPECT_EQ(groups[1].stem, "B/");
+  EXPECT_EQ(groups[2].stem, "");
+  EXPECT_EQ(groups[3].stem, "C");
+  EXPECT_THAT(groups[3].files, ElementsAre(7U, 8U)) << "C_hit1 is of another word";
+}
+
+TEST(FilesCalledHits, HaveAWordForAHitAndDifferentNumbers) {
+  EXPECT_THAT(files_called_hits({"bat1.h5", "bat2.h5", "P1_1.h5", "P1_2.h5", "h1.h5", "h2.h5"}), IsEmpty());
+  EXPECT_THAT(files_called_hits({"white1.h5", "white2.h5", "whit1.h5", "whit2.h5"}), IsEmpty());
+  EXPECT_THAT(files_called_hits({"hit1.h5", "hit1.csv", "hit2.h5"}), IsEmpty()) << "which of the two is hit 1?";
+  EXPECT_THAT(files_called_hits({"hit1.h5"}), IsEmpty());
+  EXPECT_THAT(files_called_hits({"hit20240131.h5", "hit20240201.h5"}), IsEmpty()) << "dates";
+}
+
 }  // namespace percuss::acquire::files_of_hits_test

@@ -302,6 +302,31 @@ TEST_F(BatchCommand, LeavesOutTextsOfAFolderThatHoldNoNumbers) {
   EXPECT_THAT(bytes_of(folder_.file("n.jsonl")), HasSubstr("README")) << "a file that is named is planned";
 }
 
+// They could be parts that were hit once each: the plan proposes to join them, and leaves them apart.
+TEST_F(BatchCommand, ProposesToJoinFilesThatAreCalledHits) {
+  for (const std::string part : {"A", "B", "C"}) {
+    fs::create_directories(folder_.file("parts/" + part));
+    for (const std::string hit : {"hit1", "hit2"})
+      test::write_small_test(folder_.file("parts/" + part + "/" + hit + ".csv"), R"("hits": 1)");
+  }
+  const auto planned = batch({"plan", "parts", "-o", "m.jsonl", "--json"});
+  ASSERT_EQ(planned.code, 0) << planned.err;
+  EXPECT_THAT(planned.err,
+              HasSubstr("parts/A/hit1.csv to parts/A/hit2.csv are 2 hits of one part, A, by their names, but "
+                        "each file is a test of its own, as is each file of 2 other such parts; if they are "
+                        "hits, join the files of each part to one record"));
+  const auto document = test::parse_json(planned.out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("batch-plan")), testing::IsEmpty());
+  EXPECT_EQ(document["records"], 6) << "each file is a record";
+  ASSERT_EQ(document["hits_of_one_part"].size(), 3U);
+  EXPECT_EQ(document["hits_of_one_part"][1]["part"], "B");
+  EXPECT_EQ(document["hits_of_one_part"][1]["paths"].size(), 2U);
+  ASSERT_EQ(run_percuss({"convert", "parts/A", "--files", "hits", "-o", "A.h5"}, {.folder = folder_.path()}).code, 0);
+  const auto joined = batch({"plan", "A.h5", "-o", "n.jsonl", "--json"});
+  EXPECT_EQ(joined.err, "");
+  EXPECT_FALSE(test::parse_json(joined.out).contains("hits_of_one_part"));
+}
+
 TEST_F(BatchCommand, PlansARecordOfAFolderWhoseExportFailed) {
   fs::create_directories(folder_.file("parts"));
   test::write_small_test(folder_.file("parts/x.csv"), R"("hits": 1)");

@@ -24,6 +24,7 @@
 namespace percuss::tools {
 namespace {
 
+constexpr std::size_t kMaxShownPath = 120;  // characters
 constexpr std::uint64_t kMaxList_bytes = std::uint64_t{4} << 30U;
 
 struct PlanFlags {
@@ -71,16 +72,39 @@ std::string folder_of(const std::string& path) {
   return parent.empty() ? "." : parent.string();
 }
 
-std::string summary_json(const batch::BatchHeader& head, std::size_t records, std::uint64_t bytes,
-                         std::size_t left_out) {
-  const nlohmann::ordered_json json{{"schema", "percuss/batch-plan/1"},
-                                    {"version", head.version},
-                                    {"records", records},
-                                    {"bytes", bytes},
-                                    {"shards", head.shards},
-                                    {"left_out", left_out},
-                                    {"options", head.options},
-                                    {"options_sha256", batch::options_sha256(head)}};
+using Parts = std::vector<batch::HitsOfOnePart>;
+
+// Proposes to join the files that are hits of one part by their names. They could be parts that were hit once each, so
+// the plan leaves them apart.
+void note_hits(const OutputFlags& output, const Parts& parts) {
+  if (parts.empty()) return;
+  const batch::HitsOfOnePart& first = parts.front();
+  const std::string of = first.part.empty() ? "one part" : "one part, " + first.part;
+  const std::string more = parts.size() == 1 ? ""
+                           : parts.size() == 2
+                               ? ", as is each file of another such part"
+                               : fmt::format(", as is each file of {} other such parts", parts.size() - 1);
+  Message note = information(fmt::format(
+      "{} to {} are {} hits of {}, by their names, but each file is a test of its own{}; if they are hits, join the "
+      "files of each part to one record, as hits, and plan these records",
+      one_line(first.paths.front(), kMaxShownPath), one_line(first.paths.back(), kMaxShownPath), first.paths.size(),
+      one_line(of, kMaxShownPath), more));
+  note.options = {"convert.files"};
+  print_note(output, note);
+}
+
+std::string summary_json(const batch::BatchHeader& head, std::size_t records, std::uint64_t bytes, std::size_t left_out,
+                         const Parts& parts) {
+  nlohmann::ordered_json json{{"schema", "percuss/batch-plan/1"},
+                              {"version", head.version},
+                              {"records", records},
+                              {"bytes", bytes},
+                              {"shards", head.shards},
+                              {"left_out", left_out},
+                              {"options", head.options},
+                              {"options_sha256", batch::options_sha256(head)}};
+  for (const batch::HitsOfOnePart& part : parts)
+    json["hits_of_one_part"].push_back({{"part", part.part}, {"paths", part.paths}});
   return json.dump(2) + "\n";
 }
 
@@ -104,8 +128,10 @@ int plan(PlanFlags& flags) {
     const std::string skipped = files.left_out.size() == 1 ? "1 file" : fmt::format("{} files", files.left_out.size());
     std::cerr << "percuss: skipped " << skipped << " of other kinds\n";
   }
+  const Parts parts = batch::hits_of_one_part(files.paths);
+  note_hits(flags.output, parts);
   if (flags.output.json) {
-    std::cout << summary_json(head, records.size(), bytes, files.left_out.size());
+    std::cout << summary_json(head, records.size(), bytes, files.left_out.size(), parts);
   } else {
     std::cout << fmt::format("{}: {} {}, {:.4g} MB, in {} {}\n", one_line(path), records.size(),
                              records.size() == 1 ? "record" : "records", static_cast<double>(bytes) / 1e6, flags.shards,
@@ -126,7 +152,8 @@ void add_batch_plan(CommandLine& line) {
       "and size. The id is the name of the file without extension, or its path if several files share the name. "
       "Relative paths start from the folder of the manifest, so manifest and records can be moved together, for "
       "example to a cluster. A record whose size (with --hash: whose contents) has changed since the plan is "
-      "reported and not analysed.");
+      "reported and not analysed. Each file is a test of its own; the plan proposes to join files whose names call "
+      "them hits of one part (hit1, hit2, ...).");
   command.example("percuss batch plan bat.h5 barrel.h5 --band 60:3200 -o manifest.jsonl", "Plan two records");
   command.example("percuss batch plan '*.h5' --effort quick --shards 4 -o manifest.jsonl",
                   "Plan all files that match the pattern, for four workers");
