@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "core/math/linear_algebra.hpp"
 #include "core/math/significance.hpp"
@@ -142,17 +144,39 @@ void add_misfit_of_window(const FrfDataset& set, const ModeWindow& window, std::
   }
 }
 
-}  // namespace
-
-void add_misfit(const FrfDataset& set, std::vector<Mode>& modes) {
-  // An exponential window correlates the noise itself.
-  if (modes.empty() || set.window_decay_per_s() != 0) return;
+void add_misfit_inside(const FrfDataset& set, std::vector<Mode>& modes) {
+  if (modes.empty()) return;
   const std::vector<ModeWindow> windows = mode_windows(set, modes);
   parallel_for_cost(windows.size(), kFlopsPerLine * windows.front().count * set.channels.size(), [&](std::size_t w) {
     const bool scatters = std::any_of(windows[w].modes.begin(), windows[w].modes.end(),
                                       [&](std::size_t m) { return modes[m].freq_scatter_Hz > 0; });
     if (!scatters) add_misfit_of_window(set, windows[w], modes);
   });
+}
+
+}  // namespace
+
+// A mode that left the lines in the last joint fit may have a large residue: with the residual terms, it describes the
+// flank of modes beyond the lines. This sum is smooth, but neither part alone is. The polynomial of each window follows
+// the sum, so that the mode is not subtracted.
+void add_misfit(const FrfDataset& set, std::vector<Mode>& modes) {
+  // An exponential window correlates the noise itself.
+  if (modes.empty() || set.window_decay_per_s() != 0) return;
+  const double low_Hz = set.lines.freq_Hz(0), high_Hz = set.lines.freq_Hz(set.lines.count - 1);
+  const auto lies_inside = [&](const Mode& mode) {
+    return mode.pole.freq_Hz >= low_Hz && mode.pole.freq_Hz <= high_Hz;
+  };
+  if (std::all_of(modes.begin(), modes.end(), lies_inside)) {
+    add_misfit_inside(set, modes);
+    return;
+  }
+  std::vector<Mode> inside;
+  std::copy_if(modes.begin(), modes.end(), std::back_inserter(inside), lies_inside);
+  add_misfit_inside(set, inside);
+  auto next = inside.begin();
+  for (Mode& mode : modes) {
+    if (lies_inside(mode)) mode = std::move(*next++);
+  }
 }
 
 std::vector<Mode> with_misfit(const FrfDataset& set, std::vector<Mode> modes) {

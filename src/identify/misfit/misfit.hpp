@@ -13,7 +13,8 @@ namespace percuss::identify {
 /// decay. If it clearly improves the fit, the standard deviations are at least the shift that it causes in the pole.
 /// Where the points scatter beyond the noise, the standard deviations are at least as large as this scatter makes them.
 /// Modes with frequency scatter, the other modes of their windows, and all modes under an exponential window stay
-/// unchanged. Modes ascend in frequency.
+/// unchanged. So do modes outside the spectral lines, whose contributions remain in the windows. Modes ascend in
+/// frequency.
 /// theory (4.20)
 void add_misfit(const FrfDataset& set, std::vector<Mode>& modes);
 

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
+#include "identify/model/close_poles.hpp"
 #include "identify/select/close_mode_search.hpp"
 #include "identify/select/frequency_scatter.hpp"
 #include "identify/select/mode_acceptance.hpp"
@@ -16,6 +18,7 @@ namespace percuss::identify {
 namespace {
 
 constexpr std::size_t kMinFitLines = 16;
+constexpr int kMaxRegroupings = 4;  // after the search
 
 // The steps of the search, in the order of a round. The close-mode search starts when no insignificant mode is left to
 // drop, and the residual-mode search when no close mode is found.
@@ -135,6 +138,37 @@ class SequentialFit {
   void drop_until_accepted() {
     context_.search_finished = true;
     while (drop_insignificant() == Outcome::changed) fit_.sweep();
+    for (int pass = 0; pass < kMaxRegroupings && has_outdated_groups(); ++pass) {
+      fit_.sweep();
+      while (drop_insignificant() == Outcome::changed) fit_.sweep();
+    }
+  }
+
+  // Whether poles that moved close to each other in the last fits are in different groups, although new groups would
+  // fit them together. Two such poles can share one resonance, because each group is fitted without the contribution of
+  // the other.
+  bool has_outdated_groups() const {
+    std::vector<std::pair<Pole, Pole>> apart;
+    const std::vector<FitGroup>& groups = fit_.groups();
+    for (std::size_t a = 0; a < groups.size(); ++a) {
+      for (std::size_t b = a + 1; b < groups.size(); ++b) {
+        for (const Pole& of_a : groups[a].fit.poles) {
+          for (const Pole& of_b : groups[b].fit.poles)
+            if (are_close(of_a, of_b)) apart.emplace_back(of_a, of_b);
+        }
+      }
+    }
+    if (apart.empty()) return false;
+    const FrfDataset lines{.lines = set_.lines};  // the groups follow from the lines and the poles alone
+    WindowedFit anew(lines, options_.windows);
+    anew.replace(fit_.poles());
+    return std::any_of(apart.begin(), apart.end(), [&](const auto& pair) {
+      return std::any_of(anew.groups().begin(), anew.groups().end(), [&](const FitGroup& group) {
+        const std::vector<Pole>& poles = group.fit.poles;
+        return std::find(poles.begin(), poles.end(), pair.first) != poles.end() &&
+               std::find(poles.begin(), poles.end(), pair.second) != poles.end();
+      });
+    });
   }
 
   Outcome drop_insignificant() {
