@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
@@ -64,15 +65,16 @@ HitSignals signals_of_hit(const acquire::Record& record, const AnalysedHit& hit,
 }
 
 // The strength of each sensor's 1/f noise, from all its hits. evidence: hit by hit, channel by channel.
-std::vector<double> flicker_strengths(const std::vector<std::vector<double>>& evidence, std::size_t channels) {
+std::vector<double> flicker_strengths(const std::vector<metrics::FlickerEvidence>& evidence, std::size_t channels) {
   std::vector<double> strengths;
   for (std::size_t c = 0; c < channels; ++c) {
     std::vector<double> sum;
     for (std::size_t i = c; i < evidence.size(); i += channels) {
+      const std::vector<double>& log_gains = evidence[i].log_gains;
       if (sum.empty()) {
-        sum = evidence[i];
-      } else if (!evidence[i].empty()) {
-        std::transform(sum.begin(), sum.end(), evidence[i].begin(), sum.begin(), std::plus<>());
+        sum = log_gains;
+      } else if (!log_gains.empty()) {
+        std::transform(sum.begin(), sum.end(), log_gains.begin(), sum.begin(), std::plus<>());
       }
     }
     strengths.push_back(metrics::flicker_strength(sum));
@@ -113,9 +115,10 @@ class SignalReader {
 
 // The evidence of 1/f noise in the signals of each deflection. Empty if the structure moved before the hit: the samples
 // before it then do not show the noise alone.
-std::vector<std::vector<double>> flicker_evidence_of(const SignalReader& reader,
-                                                     const metrics::DeflectionOptions& options, std::size_t threads) {
-  std::vector<std::vector<double>> evidence(reader.size());
+std::vector<metrics::FlickerEvidence> flicker_evidence_of(const SignalReader& reader,
+                                                          const metrics::DeflectionOptions& options,
+                                                          std::size_t threads) {
+  std::vector<metrics::FlickerEvidence> evidence(reader.size());
   parallel_for(evidence.size(), threads, [&](std::size_t i) {
     if (!reader.moving(i)) evidence[i] = metrics::flicker_evidence(reader.signals(i).impact, options);
   });
@@ -153,12 +156,14 @@ std::vector<DeflectedHit> hit_deflections(const Analysis& analysis, const TestIm
   const metrics::DeflectionMethod method = options.deflection.method;
   const bool automatic = method == metrics::DeflectionMethod::automatic;
   const bool integrates = automatic || method == metrics::DeflectionMethod::drift_free;
-  std::vector<double> strengths;
-  if (integrates) strengths = flicker_strengths(flicker_evidence_of(reader, options.deflection, threads), channels);
+  std::vector<metrics::FlickerEvidence> evidence(reader.size());
+  if (integrates) evidence = flicker_evidence_of(reader, options.deflection, threads);
+  const std::vector<double> strengths = flicker_strengths(evidence, channels);
   std::vector<DeflectedHit> out(reader.size());
   parallel_for(out.size(), threads, [&](std::size_t i) {
     HitSignals hit = reader.signals(i);
     if (integrates) hit.impact.flicker_strength = strengths[i % channels];
+    hit.impact.motion = std::exchange(evidence[i].motion, nullptr);  // as large as the deflection that it becomes
     metrics::DeflectionOptions chosen = options.deflection;
     if (automatic && reader.moving(i) && !hit.impact.modes.empty()) chosen.method = metrics::DeflectionMethod::modal;
     out[i] = {.hit = reader.hit(i),

@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t kMinFitLines = 16;
 constexpr int kMaxRegroupings = 4;  // after the search
+constexpr int kMaxSettlingSweeps = 10;
 
 // The steps of the search, in the order of a round. The close-mode search starts when no insignificant mode is left to
 // drop, and the residual-mode search when no close mode is found.
@@ -42,6 +43,7 @@ class SequentialFit {
       start_from_peaks();
       search();
     }
+    if (options_.settle) settle();
     if (!options_.start.empty() && !options_.keep_all) drop_until_accepted();
     return fitted_modes(fit_);
   }
@@ -51,6 +53,16 @@ class SequentialFit {
     context_.search_finished = false;
     fit_.replace(std::move(poles));
     fit_.sweep();
+  }
+
+  // One sweep fits each group beside the errors of the others. These still bias a group whose wide window holds other
+  // modes.
+  void settle() {
+    for (int sweep = 0; sweep < kMaxSettlingSweeps; ++sweep) {
+      const std::vector<Pole> before = fit_.poles();
+      fit_.sweep();
+      if (fit_.poles() == before) return;
+    }
   }
 
   // A truncated decay leaves ripples beside its resonance that look like peaks. A doubtful peak joins the others only
@@ -226,9 +238,10 @@ class SequentialFit {
 }  // namespace
 
 SequentialFitOptions sequential_fit_options(Effort effort) {
-  if (effort == Effort::quick)
-    return {.max_rounds = 3, .search_residual = false, .windows = {.window_widths = 5, .change = 0.1}};
-  return {};
+  if (effort == Effort::quick) {
+    return {.max_rounds = 3, .search_residual = false, .windows = {.window_widths = 5, .change = 0.1}, .settle = true};
+  }
+  return {.settle = effort == Effort::standard};
 }
 
 std::vector<FittedMode> fit_sequentially(const FrfDataset& set, const SequentialFitOptions& options) {

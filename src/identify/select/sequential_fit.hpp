@@ -14,6 +14,7 @@ struct SequentialFitOptions {
   std::vector<double> start_Hz;  // fit exactly one mode from each of these frequencies
   std::vector<Pole> start;       // fit from these poles of an earlier fit, and keep the accepted ones
   bool keep_all = false;         // keep every mode fitted from `start`
+  bool settle = false;           // fit the modes found until no group changes: no joint fit follows
 };
 /// The search that each effort makes.
 SequentialFitOptions sequential_fit_options(Effort effort);

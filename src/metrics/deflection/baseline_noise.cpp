@@ -3,14 +3,18 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "core/math/fft.hpp"
 #include "core/math/significance.hpp"
 #include "core/math/statistics.hpp"
 #include "core/units.hpp"
+#include "metrics/deflection/laplace_transform.hpp"
 #include "metrics/deflection/window_mean.hpp"
 
 namespace percuss::metrics {
@@ -31,22 +35,71 @@ constexpr double kMaxWindow = 2.0 / 3;  // of the moving signal
 constexpr double kAboveNoise = 10;      // power of a line over the noise: exceeded by noise once in 20000 lines
 constexpr double kHum = 100;            // power of a line at rest over the median of its neighbours
 constexpr std::size_t kHumLines = 32;   // faster hum hardly changes the means of blocks: samples per period
-constexpr double kKnotRatio = 1.1;      // of the times at which a standard deviation is computed
+constexpr std::size_t kLinesAtOnce = 8;
+constexpr std::size_t kRotations = 256;      // from one sine and cosine: they keep 13 digits
+constexpr std::size_t kMaxSummed = 1 << 14;  // longer rests are faster transformed
+constexpr double kLobe = 4;                  // the power of a line is no larger than that beside it by more than this
+constexpr double kKnotRatio = 1.1;           // of the times at which a standard deviation is computed
 
-std::vector<double> hann_power(std::span<const double> x) {
+std::vector<double> hann_windowed(std::span<const double> x) {
   const auto n = static_cast<double>(x.size());
   std::vector<double> windowed(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) windowed[i] = x[i] * (1 - std::cos(kTwoPi * static_cast<double>(i) / n));
+  return windowed;
+}
+
+// The power of kLinesAtOnce spectral lines from `first` on, from their sums: a transform of a length of its own would
+// need a plan, which takes longer than some hundred lines.
+std::array<double, kLinesAtOnce> powers_from(std::size_t first, std::span<const double> windowed) {
+  std::array<double, kLinesAtOnce> real{}, imag{}, cosine{}, sine{}, step_cosine{}, step_sine{}, power{};
+  const auto angle = [&](std::size_t l, std::size_t i) {
+    return kTwoPi * static_cast<double>((first + l) * i % windowed.size()) / static_cast<double>(windowed.size());
+  };
+  for (std::size_t l = 0; l < kLinesAtOnce; ++l) {
+    step_cosine[l] = std::cos(angle(l, 1));
+    step_sine[l] = std::sin(angle(l, 1));
+  }
+  for (std::size_t begin = 0; begin < windowed.size(); begin += kRotations) {
+    for (std::size_t l = 0; l < kLinesAtOnce; ++l) {
+      cosine[l] = std::cos(angle(l, begin));
+      sine[l] = std::sin(angle(l, begin));
+    }
+    const std::size_t end = std::min(windowed.size(), begin + kRotations);
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t l = 0; l < kLinesAtOnce; ++l) {
+        real[l] += windowed[i] * cosine[l];
+        imag[l] += windowed[i] * sine[l];
+        const double next = cosine[l] * step_cosine[l] - sine[l] * step_sine[l];
+        sine[l] = sine[l] * step_cosine[l] + cosine[l] * step_sine[l];
+        cosine[l] = next;
+      }
+    }
+  }
+  for (std::size_t l = 0; l < kLinesAtOnce; ++l) power[l] = real[l] * real[l] + imag[l] * imag[l];
+  return power;
+}
+
+// The power of the lines 0 … count − 1, count <= N/2 + 1.
+std::vector<double> first_powers(std::span<const double> windowed, std::size_t count) {
   std::vector<double> power;
-  for (const Complex& line : real_dft(windowed)) power.push_back(std::norm(line));
+  if (windowed.size() > kMaxSummed) {
+    const std::vector<Complex> lines = real_dft(windowed);
+    for (std::size_t k = 0; k < count; ++k) power.push_back(std::norm(lines[k]));
+    return power;
+  }
+  for (std::size_t k = 0; k < count; k += kLinesAtOnce) {
+    const auto some = powers_from(k, windowed);
+    power.insert(power.end(), some.begin(), some.end());
+  }
+  power.resize(count);
   return power;
 }
 
 // Whether a sinusoid stands out of the samples at rest. Such a line is no noise, and its phase is not random.
 bool has_hum(std::span<const double> residual) {
-  const std::vector<double> power = hann_power(residual);
-  const std::size_t end = std::min(power.size(), residual.size() / kHumLines + 1);
+  const std::size_t lines = residual.size() / 2 + 1, end = std::min(lines, residual.size() / kHumLines + 1);
   if (end < 5) return false;
+  const std::vector<double> power = first_powers(hann_windowed(residual), std::min(lines, end + 6));
   const auto line = static_cast<std::size_t>(
       std::max_element(power.begin() + 3, power.begin() + static_cast<std::ptrdiff_t>(end)) - power.begin());
   std::vector<double> beside;
@@ -56,19 +109,35 @@ bool has_hum(std::span<const double> residual) {
   return power[line] > kHum * median(beside);
 }
 
-// The frequency of the strongest line of the deflection that is no noise; the slowest motion to expect.
+// The frequency of the strongest line of the deflection that is no noise; the slowest motion to expect. A transform of
+// the length that the integration has planned shows which lines to look at: the main lobe of the window is four lines
+// wide, so the power changes little to the next line of this finer grid.
 std::optional<double> strongest_motion_Hz(std::span<const double> accel, double fs_Hz, double white, double flicker) {
-  const std::vector<double> power = hann_power(accel);
+  const std::vector<double> windowed = hann_windowed(accel);
   const auto n = static_cast<double>(accel.size());
+  const auto freq_Hz = [&](std::size_t k) { return static_cast<double>(k) * fs_Hz / n; };
+  // 3/2 n: the sum of the squared window.
+  const auto least_power = [&](std::size_t k) {
+    return kAboveNoise * 1.5 * n * (white + flicker / freq_Hz(k)) * fs_Hz / 2;
+  };
+  std::vector<double> padded(LaplaceTransform::padded_length(accel.size()));
+  std::copy(windowed.begin(), windowed.end(), padded.begin());
+  const std::span<const Complex> fine = real_dft_in_scratch(padded);
+  std::vector<std::pair<double, std::size_t>> near;  // approximate strength of a line of the deflection
+  // Lines 0 to 2 contain bias and drift.
+  for (std::size_t k = 3; k < accel.size() / 2 + 1; ++k) {
+    const double power = kLobe * std::norm(fine[std::min(fine.size() - 1, k * padded.size() / accel.size())]);
+    if (power > least_power(k)) near.emplace_back(power / std::pow(freq_Hz(k), 4), k);
+  }
+  std::sort(near.begin(), near.end(), std::greater<>());
   std::optional<double> best;
   double largest = 0;
-  // Lines 0 to 2 contain bias and drift. 3/2 n: the sum of the squared window.
-  for (std::size_t k = 3; k < power.size(); ++k) {
-    const double freq_Hz = static_cast<double>(k) * fs_Hz / n;
-    const double noise = 1.5 * n * (white + flicker / freq_Hz) * fs_Hz / 2;
-    const double deflection = power[k] / std::pow(freq_Hz, 4);
-    if (!(power[k] > kAboveNoise * noise) || !(deflection > largest)) continue;
-    best = freq_Hz;
+  for (const auto& [at_most, k] : near) {
+    if (at_most < largest) break;
+    const double power = powers_from(k, windowed).front();
+    const double deflection = power / std::pow(freq_Hz(k), 4);
+    if (!(power > least_power(k)) || !(deflection > largest)) continue;
+    best = freq_Hz(k);
     largest = deflection;
   }
   return best;
@@ -175,33 +244,35 @@ void BaselineNoise::observe_windows(const MovingSignal& signal, double lowest_Hz
   seen_.by_block.conservativeResize(all, blocks);
   seen_.by_block.bottomRows(windows).setZero();
   seen_.leakage_m.conservativeResize(all);
-  std::vector<std::vector<double>> by_noise;
+  Eigen::MatrixXd by_noise(windows, static_cast<Index>(samples_));
   for (Index j = 0; j < windows; ++j) {
     const double from = (1 - window) * static_cast<double>(j) / static_cast<double>(windows - 1), to = from + window;
-    WindowMean mean = window_mean(signal.deflection_m, fs_Hz_, corner_Hz_, from, to);
+    const WindowMean mean = window_mean(signal.deflection_m, fs_Hz_, corner_Hz_, from, to);
     const Index row = at_rest_ + j;
     seen_.value(row) = mean.mean_m;
     seen_.by_line.row(row) = mean.by_bias.transpose();
     seen_.leakage_m(row) =
         hann_leakage_m(parabola_residual(signal.deflection_m, from, to).amplitude_m, window * length_s * lowest_Hz);
-    for (std::size_t b = blocks_.at_rest; b < blocks_.size(); ++b) {
-      double sum = 0;
-      for (std::size_t i = blocks_.first[b]; i < blocks_.first[b + 1]; ++i)
-        sum += mean.by_noise[i - blocks_.first[blocks_.at_rest]];
-      seen_.by_block(row, static_cast<Index>(b)) = sum;
+    by_noise.row(j) = Eigen::Map<const Eigen::RowVectorXd>(mean.by_noise.data(), static_cast<Index>(samples_));
+  }
+  for (std::size_t b = blocks_.at_rest; b < blocks_.size(); ++b) {
+    for (std::size_t i = blocks_.first[b]; i < blocks_.first[b + 1]; ++i) {
+      seen_.by_block.col(static_cast<Index>(b)).tail(windows) +=
+          by_noise.col(static_cast<Index>(i - blocks_.first[blocks_.at_rest]));
     }
-    by_noise.push_back(std::move(mean.by_noise));
   }
   Eigen::MatrixXd white = Eigen::MatrixXd::Zero(all, all);
   white.topLeftCorner(at_rest_, at_rest_) = seen_.white;
-  for (Index a = 0; a < windows; ++a) {
-    for (Index b = 0; b <= a; ++b) {
-      const auto &x = by_noise[static_cast<std::size_t>(a)], &y = by_noise[static_cast<std::size_t>(b)];
-      double sum = 0;
-      for (std::size_t i = 0; i < x.size(); ++i) sum += x[i] * y[i];
-      white(at_rest_ + a, at_rest_ + b) = white(at_rest_ + b, at_rest_ + a) = sum;
+  auto of_windows = white.bottomRightCorner(windows, windows);
+  Index first = 0;  // the windows before it have ended
+  for (Index i = 0; i < by_noise.cols(); ++i) {
+    while (first < windows && by_noise(first, i) == 0) ++first;
+    for (Index b = first; b < windows; ++b) {
+      const double weight = by_noise(b, i);
+      for (Index a = b; a < windows; ++a) of_windows(a, b) += by_noise(a, i) * weight;
     }
   }
+  of_windows.triangularView<Eigen::StrictlyUpper>() = of_windows.transpose().eval();
   seen_.white = std::move(white);
   seen_.flicker = seen_.by_block * flicker_ * seen_.by_block.transpose();
 }

@@ -53,7 +53,8 @@ Integrated integrate_after_rest(const ImpactSignal& signal, const DeflectionOpti
                  .swing_m = {}};
   for (std::size_t i = 0; i < out.accel_mps2.size(); ++i)
     out.accel_mps2[i] -= out.rest.bias(0) + out.rest.bias(1) * static_cast<double>(i) / signal.fs_Hz;
-  out.motion = integrate_twice(out.accel_mps2, signal.fs_Hz, options.highpass_corner_Hz);
+  out.motion =
+      signal.motion ? *signal.motion : integrate_twice(out.accel_mps2, signal.fs_Hz, options.highpass_corner_Hz);
   out.swing_m = out.motion.deflection_m;
   const bool rigid_known = signal.rigid_per_kg > 0 && !signal.force_N.empty();
   if (rigid_known) {
@@ -250,9 +251,11 @@ Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& op
   return out;
 }
 
-std::vector<double> flicker_evidence(const ImpactSignal& signal, const DeflectionOptions& options) {
+FlickerEvidence flicker_evidence(const ImpactSignal& signal, const DeflectionOptions& options) {
   assert(!signal.accel_mps2.empty());
-  return noise_of(integrate_after_rest(signal, options), signal.fs_Hz, options.highpass_corner_Hz).log_gains();
+  Integrated integrated = integrate_after_rest(signal, options);
+  return {.log_gains = noise_of(integrated, signal.fs_Hz, options.highpass_corner_Hz).log_gains(),
+          .motion = std::make_shared<const Motion>(std::move(integrated.motion))};
 }
 
 double motion_onset_s(std::span<const double> accel_mps2, double fs_Hz) {

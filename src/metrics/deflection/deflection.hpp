@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,6 +28,8 @@ struct ImpactSignal {
   /// The strength of the accelerometer's 1/f noise (baseline_noise.hpp), from several impacts; 0: white noise. Not set:
   /// estimated from this signal.
   std::optional<double> flicker_strength{};
+  /// FlickerEvidence::motion of this signal, from the same options. Null: deflection_of() integrates.
+  std::shared_ptr<const Motion> motion{};
 };
 
 struct DeflectionOptions {
@@ -70,10 +73,16 @@ struct Deflection {
 /// theory (7.4)
 Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& options = {});
 
-/// The evidence of one signal for 1/f noise, for drift_free: BaselineNoise::log_gains(). flicker_strength() of the sum
-/// over the impacts gives ImpactSignal::flicker_strength, since they share the noise of the sensor. Empty where the
-/// signal gives none.
-std::vector<double> flicker_evidence(const ImpactSignal& signal, const DeflectionOptions& options = {});
+/// The evidence of one signal for 1/f noise, for drift_free.
+struct FlickerEvidence {
+  /// BaselineNoise::log_gains(). flicker_strength() of the sum over the impacts gives ImpactSignal::flicker_strength,
+  /// since they share the noise of the sensor. Empty where the signal gives none.
+  std::vector<double> log_gains;
+  /// Of the acceleration after the samples at rest, less the line through them. deflection_of() need not compute it
+  /// again.
+  std::shared_ptr<const Motion> motion;
+};
+FlickerEvidence flicker_evidence(const ImpactSignal& signal, const DeflectionOptions& options = {});
 
 /// The time at which the structure starts to move, counted from the first sample, for records without force. It is the
 /// time of the first sample beyond eight standard deviations of the noise (from the first fiftieth of the record) and

@@ -16,12 +16,14 @@ constexpr double kWindowEnd = 30;
 LaplaceTransform::LaplaceTransform(std::span<const double> x, double fs_Hz)
     : fs_Hz_(fs_Hz),
       samples_(x.size()),
-      padded_(fast_length_at_least(2 * x.size())),
+      padded_(padded_length(x.size())),
       decay_per_s_(kWindowEnd * fs_Hz / static_cast<double>(padded_)) {
   std::vector<double> windowed(padded_);
   for (std::size_t i = 0; i < samples_; ++i) windowed[i] = x[i] * window(i);
   lines_ = real_dft(windowed);
 }
+
+std::size_t LaplaceTransform::padded_length(std::size_t samples) { return fast_length_at_least(2 * samples); }
 
 double LaplaceTransform::window(std::size_t sample) const {
   return std::exp(-decay_per_s_ * static_cast<double>(sample) / fs_Hz_);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <vector>
@@ -18,6 +19,9 @@ class LaplaceTransform {
 
   /// (1) for H = transfer, at the samples of x.
   std::vector<double> response(const std::function<Complex(Complex s)>& transfer) const;
+
+  /// The length of the transforms of a sequence of this length.
+  static std::size_t padded_length(std::size_t samples);
 
  private:
   double window(std::size_t sample) const;

@@ -1,6 +1,7 @@
 #include "metrics/deflection/window_mean.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -30,16 +31,18 @@ WindowMean window_mean(std::span<const double> w, double fs_Hz, double highpass_
   const double dt_s = 1 / fs_Hz, length = static_cast<double>(n);
   WindowMean out{.by_bias = Eigen::Vector2d::Zero(), .by_noise = std::vector<double>(n)};
   std::vector<double> kernel(n);
-  for (std::size_t i = 0; i < n; ++i)
+  const auto begin = static_cast<std::size_t>(std::max(0.0, std::floor(from * length)));
+  const std::size_t end = std::min(n, static_cast<std::size_t>(std::max(0.0, std::ceil(to * length))) + 1);
+  for (std::size_t i = begin; i < end; ++i)
     kernel[i] = hann((static_cast<double>(i) / length - from) / (to - from)) / ((to - from) * length);
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     out.mean_m += kernel[i] * w[i];
     out.by_bias += kernel[i] * drifted_deflection_m(static_cast<double>(i) * dt_s, highpass_corner_Hz);
   }
   // An acceleration sample of 1 at τ adds (t − τ)Δt to each later w(t), and ω_c (t − τ)² Δt/2 with the high-pass
   // undone. The sample's weight is a sum over the later kernel values, so the sums run from the end.
   double once = 0, twice = 0, thrice = 0;
-  for (std::size_t i = n; i-- > 0;) {
+  for (std::size_t i = end; i-- > 0;) {
     out.by_noise[i] = (twice + kTwoPi * highpass_corner_Hz * thrice) * dt_s;
     once += kernel[i];
     twice += once * dt_s;
@@ -52,16 +55,22 @@ ParabolaResidual parabola_residual(std::span<const double> w, double from, doubl
   const auto begin = static_cast<std::size_t>(from * static_cast<double>(w.size()));
   const auto end = static_cast<std::size_t>(to * static_cast<double>(w.size()));
   const auto count = static_cast<Eigen::Index>(end - begin);
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d normal;
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   const auto powers = [&](Eigen::Index i) {
     const double x = 2 * static_cast<double>(i) / static_cast<double>(count) - 1;
     return Eigen::Vector3d(1, x, x * x);
   };
+  double sum_x = 0, sum_x2 = 0, sum_x3 = 0, sum_x4 = 0;
   for (Eigen::Index i = 0; i < count; ++i) {
-    normal += powers(i) * powers(i).transpose();
-    right += powers(i) * w[begin + static_cast<std::size_t>(i)];
+    const Eigen::Vector3d power = powers(i);
+    sum_x += power(1);
+    sum_x2 += power(2);
+    sum_x3 += power(1) * power(2);
+    sum_x4 += power(2) * power(2);
+    right += power * w[begin + static_cast<std::size_t>(i)];
   }
+  normal << static_cast<double>(count), sum_x, sum_x2, sum_x, sum_x2, sum_x3, sum_x2, sum_x3, sum_x4;
   const Eigen::Vector3d parabola = normal.inverse() * right;
   double energy = 0, last = 0;
   std::size_t crossings = 0;

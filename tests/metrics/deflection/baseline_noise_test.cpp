@@ -115,7 +115,7 @@ TEST(FlickerStrength, IsZeroForWhiteNoise) {
   int found = 0;
   for (int record = 0; record < 40; ++record) {
     std::vector<double> accel = measured(blow, 0, random);
-    const double strength = flicker_strength(flicker_evidence(signal_of(accel)));
+    const double strength = flicker_strength(flicker_evidence(signal_of(accel)).log_gains);
     found += strength > 0 ? 1 : 0;
     if (strength > 0) continue;
     const Deflection unknown = deflection_of(signal_of(accel)), zero = deflection_of(signal_of(accel, 0.0));
@@ -124,7 +124,7 @@ TEST(FlickerStrength, IsZeroForWhiteNoise) {
   }
   // A likelihood ratio of e³ is exceeded by chance in less than one of 100 records.
   EXPECT_LE(found, 2);
-  EXPECT_EQ(flicker_strength(flicker_evidence(signal_of(blow.accel_mps2))), 0);  // without noise
+  EXPECT_EQ(flicker_strength(flicker_evidence(signal_of(blow.accel_mps2)).log_gains), 0);  // without noise
 }
 
 TEST(FlickerStrength, IsFoundFromSeveralRecords) {
@@ -135,7 +135,7 @@ TEST(FlickerStrength, IsFoundFromSeveralRecords) {
     constexpr int kRecords = 10;
     for (int record = 0; record < kRecords; ++record) {
       const std::vector<double> accel = measured(*blow, kStrength, random);
-      const std::vector<double> gains = flicker_evidence(signal_of(accel));
+      const std::vector<double> gains = flicker_evidence(signal_of(accel)).log_gains;
       ASSERT_EQ(gains.size(), kFlickerStrengths);
       std::transform(sum.begin(), sum.end(), gains.begin(), sum.begin(), std::plus<>());
     }
@@ -211,7 +211,23 @@ TEST(BaselineNoise, IsNotTakenFromHum) {
   std::vector<double> accel = measured(blow, 0, random);
   for (std::size_t i = 0; i < accel.size(); ++i)
     accel[i] += 0.2 * std::sin(kTwoPi * 50 * static_cast<double>(i) / kFs_Hz);
-  EXPECT_TRUE(flicker_evidence(signal_of(accel)).empty());
+  EXPECT_TRUE(flicker_evidence(signal_of(accel)).log_gains.empty());
+}
+
+// The integration of the evidence serves for the deflection, too.
+TEST(BaselineNoise, GivesTheSameDeflectionFromTheMotionOfTheEvidence) {
+  std::mt19937 random(7);
+  for (const double strength : {0.0, kStrength}) {
+    const std::vector<double> accel = measured(blow_on(kHeldBeam, 2), strength, random);
+    ImpactSignal signal = signal_of(accel);
+    const Deflection integrated = deflection_of(signal);
+    signal.motion = flicker_evidence(signal).motion;
+    ASSERT_NE(signal.motion, nullptr);
+    const Deflection taken = deflection_of(signal);
+    EXPECT_EQ(taken.deflection_m, integrated.deflection_m);
+    EXPECT_EQ(taken.velocity_mps, integrated.velocity_mps);
+    EXPECT_EQ(taken.std_m, integrated.std_m);
+  }
 }
 
 }  // namespace percuss::metrics::baseline_noise_test
