@@ -86,8 +86,8 @@ def analyze(
         Set the sampling rate in place of the file's: a number, or for a MAT file the name of a
         variable.
     band : (low, high), optional
-        Analyse this frequency band in Hz, such as 60:3200 (default: from 1 % of the highest
-        frequency that the hammer excites up to this frequency).
+        Analyse this frequency band in Hz, such as 60:3200 (default: from 1 % to 100 % of the
+        highest frequency that the hammer excites).
     effort : {'quick', 'standard', 'best'}, optional
         Choose the effort. quick: fit modes with a peak, each over its own spectral lines; standard:
         also modes without a peak; best: all modes together, as precisely as the noise permits.
@@ -120,9 +120,9 @@ def analyze(
         Apply an exponential window that falls to this fraction at the end of each hit, such as
         0.01; damping is corrected exactly.
     delay : str, float or list of float, optional
-        Remove the delay by which each accelerometer comes after the force. auto: as the phases of
-        the modes show it; off: only warn; or seconds, one for all or one per channel, negative
-        where the channel comes early. Default: off.
+        Remove the delay of each accelerometer against the force. auto: estimate it from the phases
+        of the modes; off: only warn about it; or give it in seconds, one for all or one per
+        channel, negative if the channel is early. Default: off.
     overlay_db : float in dB, optional
         Treat two FRFs as overlaid if they differ by at most this much at a peak. Default: 1.
     object : {'auto', 'tube', 'other'}, optional
@@ -149,7 +149,8 @@ def analyze(
     paper : {'a4', 'letter'}, optional
         Set the paper on which the page is printed. Default: a4.
     only : {'hits', 'frf', 'coherence', 'modes', 'classes', 'deflection'} or a list of them, optional
-        Compute and report only these sections.
+        Compute and report only these sections. hits alone: judge the hits by their force, without
+        reading the accelerations.
     picture : {'magnitude', 'phase', 'coherence', 'force', 'response', 'spectrum', 'decay', 'stabilisation', 'movement'} or a list of them, optional
         Draw these pictures in a .svg file.
     compare : path, dict or Result, or a list of them, optional

@@ -24,14 +24,14 @@ def compare(
     """Compare modes or deflections of tests and models side by side.
 
     Pairs the modes of the first document with the modes of each other document, and shows the
-    differences. Modes with three common places are paired by shape. The MAC is that of the shapes
-    over the common points, or over the channels where there are fewer than three points. Points are
-    matched by their coordinates, else by their numbers. Other modes are paired by family and order
-    if both documents state them with 90 % confidence and the frequencies do not contradict. The
-    remaining modes are paired by frequency, so that modes that crossed are exchanged. The output
-    says which rule applied. Letters name the peaks of one order, as bending 3a and bending 3b, the
-    lowest first. Compares the deflections of two documents likewise. analyze, survey, deflect and
-    model write such documents.
+    differences. Modes with three common places are paired by shape. The MAC compares the shapes at
+    the common points, or the channels if there are fewer than three points. Points are matched by
+    their coordinates, else by their numbers. Other modes are paired by family and order if both
+    documents state them with 90 % confidence and the frequencies do not contradict. The remaining
+    modes are paired by frequency, so that modes that crossed are exchanged. The output says which
+    rule applied. Letters name the peaks of one order, as bending 3a and bending 3b, the lowest
+    first; they pair from below. Compares the deflections of two documents likewise. analyze,
+    survey, deflect and model write such documents.
 
     Parameters
     ----------

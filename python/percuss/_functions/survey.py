@@ -81,8 +81,8 @@ def survey(
         Set the sampling rate in place of the file's: a number, or for a MAT file the name of a
         variable.
     band : (low, high), optional
-        Analyse this frequency band in Hz, such as 60:3200 (default: from 1 % of the highest
-        frequency that the hammer excites up to this frequency).
+        Analyse this frequency band in Hz, such as 60:3200 (default: from 1 % to 100 % of the
+        highest frequency that the hammer excites).
     effort : {'quick', 'standard', 'best'}, optional
         Choose the effort. quick: fit modes with a peak, each over its own spectral lines; standard:
         also modes without a peak; best: all modes together, as precisely as the noise permits.
@@ -115,9 +115,9 @@ def survey(
         Apply an exponential window that falls to this fraction at the end of each hit, such as
         0.01; damping is corrected exactly.
     delay : str, float or list of float, optional
-        Remove the delay by which each accelerometer comes after the force. auto: as the phases of
-        the modes show it; off: only warn; or seconds, one for all or one per channel, negative
-        where the channel comes early. Default: off.
+        Remove the delay of each accelerometer against the force. auto: estimate it from the phases
+        of the modes; off: only warn about it; or give it in seconds, one for all or one per
+        channel, negative if the channel is early. Default: off.
     overlay_db : float in dB, optional
         Treat two FRFs as overlaid if they differ by at most this much at a peak. Default: 1.
     object : {'auto', 'tube', 'other'}, optional
@@ -144,15 +144,16 @@ def survey(
     paper : {'a4', 'letter'}, optional
         Set the paper on which the page is printed. Default: a4.
     geometry : path, array or dict, optional
-        Read the geometry from this file, a CSV as `percuss.example("survey")` prints it (default:
-        from the record).
+        Read the geometry from this file, a CSV as `percuss.example("survey")` prints it; further
+        columns, dx, dy and dz or direction (+x ... -z), state where the blow or the roving sensor
+        points (default: from the record).
     roving : {'hammer', 'sensor'}, optional
         Choose what moved from point to point (default: as the file states, else hammer).
     driving_point : (point, channel) or a list of them, optional
         Name driving points: a point struck beside the sensor of a channel, by the point's number
         and the channel's, which counts from 0 as in JSON; 1:0 is point 1 and the first channel.
-        Where each file is a point, POINT is the file's name (P7:0) or a number: the one in the
-        file's name, else that of a geometry that counts from 1, else that of the record (default:
+        Where each file is a point, POINT is the file's name (P7:0) or a number. The number is the
+        one in the file's name, else of a geometry that counts from 1, else of the record (default:
         points at the position of a sensor).
     picture : {'shapes', 'indicator', 'magnitude', 'phase', 'coherence', 'force', 'response', 'spectrum', 'decay', 'stabilisation', 'movement'} or a list of them, optional
         Draw these pictures in a .svg file.
