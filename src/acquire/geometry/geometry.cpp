@@ -109,16 +109,23 @@ class Row {
     return index && *index < cells_.size() ? trimmed(cells_[*index]) : std::string_view();
   }
 
-  // "+x", "-z" or "y".
+  // "+x", "-z", "y", or "z-" as some programs write it.
   std::array<double, 3> axis_of(std::string_view name) const {
-    const bool is_signed = name.front() == '+' || name.front() == '-';
-    const std::string axis = lower_case(to_utf8(name.substr(is_signed ? 1 : 0)));
+    const auto is_sign = [](char c) { return c == '+' || c == '-'; };
+    const char sign = is_sign(name.front()) ? name.front() : is_sign(name.back()) ? name.back() : '+';
+    std::string_view letters = name;
+    if (is_sign(letters.front())) {
+      letters.remove_prefix(1);
+    } else if (is_sign(letters.back())) {
+      letters.remove_suffix(1);
+    }
+    const std::string axis = lower_case(to_utf8(letters));
     if (axis != "x" && axis != "y" && axis != "z") {
       throw InputError(fmt::format("unknown direction \"{}\"", shown(name)), where_,
                        "write +x, -x, +y, -y, +z or -z, or give the columns dx, dy and dz");
     }
     std::array<double, 3> out{};
-    out.at(static_cast<std::size_t>(axis.front() - 'x')) = name.front() == '-' ? -1 : 1;
+    out.at(static_cast<std::size_t>(axis.front() - 'x')) = sign == '-' ? -1 : 1;
     return out;
   }
 

@@ -65,12 +65,13 @@ TEST(Geometry, ReadsDirectionsOfAnyLength) {
   EXPECT_NEAR(given.points[1].along->at(2), 0.8, kRounding);
   EXPECT_FALSE(given.points[2].along) << "empty cells";
   EXPECT_EQ(given.points[3].along, Direction({0, -1, 0}));
-  const Geometry named = parse_geometry("point;x_m;Direction\n0;0;-x\n1;1;+Z\n2;2;y\n3;3;\n4;4\n", "g.csv");
-  ASSERT_EQ(named.points.size(), 5U);
+  const Geometry named = parse_geometry("point;x_m;Direction\n0;0;-x\n1;1;+Z\n2;2;y\n3;3;\n4;4\n5;5;Z-\n", "g.csv");
+  ASSERT_EQ(named.points.size(), 6U);
   EXPECT_EQ(named.points[0].along, Direction({-1, 0, 0}));
   EXPECT_EQ(named.points[1].along, Direction({0, 0, 1}));
   EXPECT_EQ(named.points[2].along, Direction({0, 1, 0}));
   EXPECT_FALSE(named.points[3].along || named.points[4].along);
+  EXPECT_EQ(named.points[5].along, Direction({0, 0, -1}));
   const Geometry units = parse_geometry("point,x,dz\n,mm,\n1,5,1\n", "g.csv");
   EXPECT_EQ(units.points[0].along, Direction({0, 0, 1})) << "a line of units";
 }
@@ -78,6 +79,7 @@ TEST(Geometry, ReadsDirectionsOfAnyLength) {
 TEST(Geometry, RefusesOtherDirections) {
   EXPECT_THAT(rejection_of("point,x_m,direction\n0,0,+w\n"),
               AllOf(HasSubstr("unknown direction \"+w\""), HasSubstr("write +x, -x")));
+  EXPECT_THAT(rejection_of("point,x_m,direction\n0,0,-\n"), HasSubstr("unknown direction \"-\""));
   EXPECT_THAT(rejection_of("point,x_m,dx,dy\n0,0,0,0\n"), HasSubstr("the direction dx, dy, dz has no length"));
   EXPECT_THAT(rejection_of("point,x_m,dx\n0,0,up\n"), HasSubstr("dx \"up\" is"));
   EXPECT_THAT(rejection_of("point,x_m,dx,direction\n0,0,1,+x\n"), HasSubstr("two kinds of directions"));
