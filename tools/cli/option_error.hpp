@@ -12,8 +12,8 @@ namespace percuss::tools {
 /// The command line prints "--from and --to exclude each other; give one of them", Python "from_= and to= exclude …".
 class OptionError : public UsageError {
  public:
-  /// `problem` is a predicate, "exclude each other", and the options are its subject. `remedy_options` follow the remedy in
-  /// parentheses, as Message::written() lists them.
+  /// `problem` is a predicate, "exclude each other", and the options are its subject. `remedy_options` follow the
+  /// remedy in parentheses, as Message::written() lists them.
   OptionError(std::vector<OptionId> options, std::string_view problem, std::string_view remedy,
               std::vector<OptionId> remedy_options = {});
   /// "--band cannot be '9': the reason; the remedy".
