@@ -79,7 +79,7 @@ class Judge {
     return !reason.empty() && (outcome_.said.contains(reason) || outcome_.message.find(reason) != std::string::npos);
   }
 
-  // The judgement is then complete.
+  // If true, the judgement is complete.
   bool is_accepted_refusal() {
     if (outcome_.exit_code == 0) return false;
     const bool other = std::any_of(expected_.or_refused.begin(), expected_.or_refused.end(),
@@ -197,8 +197,8 @@ class Judge {
   const std::vector<TrueMode>& truth_;
   const Expectation& expected_;
   Result result_;
-  bool warned_ = false;                          // that standard deviations do not hold and that modes may be spurious
-  std::vector<std::size_t> of_mode_, of_truth_;  // index of the partner; the size where there is none
+  bool warned_ = false;                          // the outcome contains expected_.warns, which excuses errors
+  std::vector<std::size_t> of_mode_, of_truth_;  // index of the partner; one past the last if none
 };
 
 }  // namespace

@@ -46,11 +46,11 @@ struct TrueMode {
 std::vector<TrueMode> true_modes(const synth::Truth& truth);
 
 /// Compares an outcome with the truth.
-///   resolvable  A mode is resolvable when the bound of its damping is at most a tenth of the damping. Two modes are
-///               separable when their distance exceeds ten times the sum of their bounds. One mode within the range
+///   resolvable  A mode is resolvable if the bound of its damping is at most a tenth of the damping. Two modes are
+///               separable if their distance exceeds ten times the sum of their bounds. One mode within the range
 ///               of inseparable modes is also right. A mode that is not resolvable may be missing.
-///   wrong       An error above kMaxSigmas, a spurious mode, or a missing resolvable mode, unless the warning of
-///               unmodelled peaks names its frequency.
+///   wrong       An error above kMaxSigmas, a spurious mode, or a missing resolvable mode. A missing mode is excused
+///               if the warning of unmodelled peaks names its frequency.
 Result judge(const CommandResult& outcome, const std::vector<TrueMode>& truth, const Expectation& expected);
 
 }  // namespace percuss::stress

@@ -13,8 +13,8 @@
 namespace percuss::stress {
 namespace {
 
-/// A fit ends when its next step would be below a hundredth of a standard deviation. Two fits with different rounding
-/// may differ by this on either side.
+/// A fit ends when its next step would be below a hundredth of a standard deviation. Each of two fits with different
+/// rounding may end that far from the optimum, on opposite sides.
 constexpr double kSame = 0.02;
 
 /// The expected effect of a change on the modes: factors of frequency and residues, and the new order of channels.

@@ -47,7 +47,7 @@ std::vector<Cell> length_cells() {
     cells.push_back(row_of(samples, 0.002, {.demand = Demand::all}));
     cells.back().name += ", pre-trigger of 16";
     cells.back().expected.says = {"short_pretrigger"};
-    cells.back().expected.warns = "short_pretrigger";  // its standard deviations may be too small by a factor of two
+    cells.back().expected.warns = "short_pretrigger";  // standard deviations may be too small by a factor of two
     cells.back().expected.freq_relative = kHundredth * 2 * 0.005;
     cells.back().expected.damping_absolute = kHundredth * 0.005;
     for (Cell* cell : {&cells.back(), &cells[cells.size() - 2]}) {

@@ -93,7 +93,7 @@ bool in_range(double fraction) { return fraction >= kMinCoverage && fraction <= 
 int run(const Options& options) {
   std::vector<Check> checks = all_checks();
   const auto full_name = [](const Check& check) { return check.group + ": " + check.name; };
-  // A full name selects its cell only, even where it is a part of other names.
+  // A full name selects only its cell, even if it is a part of other names.
   const bool exact =
       std::any_of(checks.begin(), checks.end(), [&](const Check& c) { return full_name(c) == options.only; });
   std::erase_if(checks, [&](const Check& check) {

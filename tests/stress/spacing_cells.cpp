@@ -21,7 +21,7 @@ synth::SynthSpec pair_of(const Pair& pair) {
 
 }  // namespace
 
-// The record is long enough for both to decay at 0.2 % (60 dB in 0.55 s at 1000 Hz).
+// The record is long enough for both modes to decay at 0.2 % (60 dB in 0.55 s at 1000 Hz).
 std::vector<Cell> spacing_cells() {
   std::vector<Cell> cells;
   for (const double damping_ratio : {0.002, 0.01, 0.05}) {

@@ -9,8 +9,8 @@
 
 namespace percuss::stress {
 
-/// The number of modes, and of those whose interval of ±1.96 reported standard deviations contains the truth: for the
-/// frequency, and for the damping ratio.
+/// The number of modes, and how many intervals of ±1.96 reported standard deviations contain the true frequency and the
+/// true damping ratio.
 struct Coverage {
   std::size_t modes = 0, freq = 0, damping = 0;
   double of_freq() const { return static_cast<double>(freq) / static_cast<double>(modes); }

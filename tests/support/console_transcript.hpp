@@ -19,12 +19,12 @@ std::vector<TranscriptCommand> transcript_commands(const std::string& page);
 
 /// How far the last digits of a page and of the output may differ.
 enum class LastDigits {
-  equal,    // not at all: a page that a change made stale differs by a unit or two
-  rounded,  // by one, next to a ± by two: compilers, sanitizers and C libraries round differently, and an iterative fit
+  equal,    // not at all, because a stale page may differ by only one or two units
+  rounded,  // by one; by two next to a ±: compilers, sanitizers and C libraries round differently, and an iterative fit
             // ends within its tolerance
 };
 
-/// `equal` in a build by g++ for x86-64 without sanitizers, of which the pages show the output; else `rounded`.
+/// `equal` in a build by g++ for x86-64 without sanitizers; else `rounded`. The pages show the output of the former.
 LastDigits last_digits_of_this_build();
 
 /// Whether the printed output agrees with the output on the page. Words, blanks, units, counts (numbers without a

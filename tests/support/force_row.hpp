@@ -11,7 +11,7 @@ namespace percuss::test {
 /// samples.
 void add_haversine(std::vector<double>& x, double onset, double width, double peak);
 
-/// Adds the pulse after a recorder's linear-phase anti-alias filter, with ringing on both sides.
+/// Adds the same pulse, filtered by a recorder's linear-phase anti-alias filter, which rings on both sides.
 void add_filtered_haversine(std::vector<double>& x, double onset, double width, double peak);
 
 /// Adds Gaussian noise; equal seeds add equal noise.

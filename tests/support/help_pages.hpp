@@ -6,8 +6,8 @@ namespace percuss::test {
 
 // Commands, options and examples, parsed from the output of --help.
 
-/// Every command as a list of words, {"model", "beam"}: the program itself first, with an empty list; a group before
-/// its commands.
+/// Every command as a list of words, such as {"model", "beam"}. The first list is empty and stands for the program
+/// itself. A group comes before its commands.
 std::vector<std::vector<std::string>> commands();
 
 /// "model beam".

@@ -10,7 +10,7 @@ namespace percuss::test {
 struct TerminalOptions {
   std::string folder;                      // working folder; empty: the current one
   unsigned short columns = 100;            // width of the terminal
-  std::vector<std::string> environment{};  // NAME=VALUE, before the current environment
+  std::vector<std::string> environment{};  // NAME=VALUE; overrides the current environment
 };
 
 /// The built percuss on a pseudo-terminal, which is its input and output. Killed by the destructor.

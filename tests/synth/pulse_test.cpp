@@ -132,7 +132,7 @@ TEST(Pulse, DoesNotDependOnTheRangeOfSamples) {
   const Pulse pulse{PulseKind::haversine, 0.005, 0.3e-3, 300};
   const std::array poles{SynthPole{169, 0.01}, SynthPole{1900, 0.003}};
   const PulseBasis whole = pulse_basis(pulse, kFs_Hz, poles, 0, 4096);
-  constexpr double kTolerance = 1e-13;  // of the peak: exponentials are rounded from another start
+  constexpr double kTolerance = 1e-13;  // of the peak: exponentials start at another sample and round differently
   for (const std::size_t first : {100U, 130U, 150U, 1000U}) {
     const PulseBasis part = pulse_basis(pulse, kFs_Hz, poles, first, 500);
     EXPECT_GE(part.first, first);
@@ -150,7 +150,7 @@ TEST(Pulse, RingsAfterAnOnsetBeforeTheFirstSample) {
   const PulseBasis before_record = pulse_basis({PulseKind::haversine, -0.02, 0.3e-3, 300}, kFs_Hz, poles, 0, 1024);
   const PulseBasis within_record = pulse_basis({PulseKind::haversine, 0.02, 0.3e-3, 300}, kFs_Hz, poles, 0, 4096);
   EXPECT_EQ(peak(before_record.force_N), 0);
-  constexpr double kTolerance = 1e-12;  // of the value: 0.04 s are 1024 samples exactly
+  constexpr double kTolerance = 1e-12;  // of the peak: the onsets differ by 0.04 s, exactly 1024 samples
   EXPECT_LE(std::abs(before_record.regular_N[0][500] - at(within_record, within_record.regular_N[0], 1524)),
             kTolerance * peak(before_record.regular_N[0]));
 }

@@ -81,7 +81,7 @@ void reject_mismatch(const DeclaredCommand& command, const CLI::App& app, const 
 
 bool is_number(const std::string& text) { return parse_number(text, false).problem == NumberProblem::none; }
 
-// "--band 60 3200" as "--band 60:3200": the second number would be taken for a file.
+// Replaces "--band 60 3200" by "--band 60:3200". Otherwise the second number would be taken for a file.
 std::vector<std::string> with_whole_ranges(const Declaration& all, const std::vector<std::string>& typed) {
   const auto takes_range = [&](const std::string& word) {
     if (!word.starts_with("--")) return false;

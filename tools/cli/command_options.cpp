@@ -55,7 +55,7 @@ Option Option::type(const char* shown) {
   declared_->value = shown;
   const std::string_view name = shown;
   if (has_option_units(name)) {
-    // Before all checks, which see the number in the option's unit.
+    // Runs before all checks, so that they see the number in the option's unit.
     option_->transform([unit = std::string(shown)](const std::string& text) { return in_option_unit(text, unit); });
   }
   declared_->kind = name == "FILE" ? ArgumentKind::file : name == "FOLDER" ? ArgumentKind::folder : ArgumentKind::text;
@@ -65,7 +65,7 @@ Option Option::one_of(const std::vector<std::string>& names) {
   declared_->choices = names;
   if (!declared_->list && !declared_->value.empty()) type(fmt::format("{}", fmt::join(names, "|")).c_str());
   declared_->kind = ArgumentKind::text;
-  // Before the check: H1 is h1.
+  // Runs before the check, so that H1 becomes h1.
   option_->transform([names](const std::string& text) {
     const auto alike = [&](const std::string& name) { return lower_case(name) == lower_case(text); };
     const auto match = std::find_if(names.begin(), names.end(), alike);

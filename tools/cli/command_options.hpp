@@ -30,7 +30,7 @@ class Option {
   Option not_negative();
   Option finite();
   Option counted();  // digits only: CLI11 reads −1 as a very large count
-  /// Checks each value; `requirement` completes "give …" where the check fails.
+  /// Checks each value. If the check fails, the message says "give" and then `requirement`.
   Option add_check(std::string requirement, const std::function<bool(const std::string&)>& check);
   Option required();
   Option show_default();

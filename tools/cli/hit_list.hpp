@@ -25,8 +25,9 @@ inline constexpr const char* kHitsRequirement = "whole numbers from 1 up, ranges
 /// Whether the text is a piece of a list of hits: "8", "1-5" or "all", up to hit 1000000.
 bool names_hits(const std::string& piece);
 
-/// The indices, from 0, of the hits "1-5", "8" and "all", the pieces of a list: people count hits from 1, as the tables
-/// do. `all` is pipeline::kEveryHit. Throws OptionError for other texts, hit 0 and more than a million hits.
+/// The indices of the hits that a list of pieces such as "1-5", "8" and "all" names. Indices start at 0; the pieces
+/// count hits from 1, as the tables do. `all` is pipeline::kEveryHit. Throws OptionError for other texts, hit 0 and
+/// more than a million hits.
 std::vector<std::size_t> parse_hits(const OptionId& option, const std::vector<std::string>& pieces);
 
 }  // namespace percuss::tools

@@ -19,8 +19,8 @@ namespace percuss::tools {
 /// Data in memory in place of a file; the reading options apply to it.
 using InMemoryInput = std::function<std::variant<acquire::Record, acquire::FrfRecord>(const acquire::FrfReadOptions&)>;
 
-/// A file that a host saves after the command has run, as -o PATH with --force. `page`: options of the page by their
-/// names without dashes ("title", "paper"), in place of those of the command.
+/// A file that a host saves after the command has run, as -o PATH does, with --force if `force`. `page`: options of the
+/// page by their names without dashes ("title", "paper"). They replace the options of the command.
 struct SaveRequest {
   std::string path;
   bool force = false;

@@ -54,7 +54,7 @@ bool several_with_sandboxed_format(const ReadFlags& flags) {
 }
 
 // The fork server that starts the sandboxes of several files, since a process with running threads cannot fork safely.
-// A host may have threads of its own at any time.
+// With a host there is none: the host may have threads already, and starting the server is a fork.
 std::shared_ptr<acquire::ForkServer> fork_server_for(const ReadFlags& flags, const acquire::ReadOptions& options) {
   const bool alike = options.force_scale.size() <= 1;
   if (flags.host != nullptr || !options.sandboxed || !alike || !several_with_sandboxed_format(flags)) return nullptr;
@@ -65,7 +65,7 @@ std::shared_ptr<acquire::ForkServer> fork_server_for(const ReadFlags& flags, con
 struct OrderedFiles {
   ReadFlags flags;                        // with their paths
   std::set<std::string> named;            // the paths as typed; others were found in folders and by patterns
-  std::optional<Message> order_note;      // where the order is not the one given
+  std::optional<Message> order_note;      // set if the order differs from the given one
   std::optional<Message> extension_note;  // files of folders that were left out by their extensions
   bool was_found(std::size_t i) const { return i < flags.paths.size() && !named.contains(flags.paths[i]); }
 };
@@ -139,8 +139,9 @@ std::string problem_of(const BadFile& file) {
                    found ? "move them elsewhere, or name the others by a pattern" : "leave them out");
 }
 
-// Opens the files in parallel, except sandboxed ones without a fork server. Leaves out files of folders that are no
-// records. Names all other files that cannot be opened; rethrows the error if it is one file, or if none can be opened.
+// Opens the files in parallel; one after another if some need a sandbox and there is no fork server. Leaves out files
+// found in folders that contain no numbers. Refuses all other unreadable files in one message; rethrows the first error
+// if only one file is unreadable, or if no file can be opened.
 template <class Opened, class Open>
 std::vector<std::optional<Opened>> for_each_file(const OrderedFiles& found, bool fork_server, const Open& open) {
   const ReadFlags& flags = found.flags;
@@ -181,7 +182,7 @@ std::optional<Message> left_out_note(const OrderedFiles& found, const std::vecto
 }
 
 // Puts the files of an unquoted pattern, which the shell gave as "p1 p10 p2", into their natural order, each with its
-// force scale. Returns what was done, if anything was.
+// force scale. Returns a note if the order changed.
 std::optional<Message> order_naturally(ReadFlags& flags) {
   const std::vector<std::size_t> order = intended_order(flags.paths);
   const auto moved = std::adjacent_find(order.begin(), order.end(), std::greater<>());

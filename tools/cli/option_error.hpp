@@ -12,8 +12,8 @@ namespace percuss::tools {
 /// The command line prints "--from and --to exclude each other; give one of them", Python "from_= and to= exclude …".
 class OptionError : public UsageError {
  public:
-  /// `problem` is a predicate of which the options are the subject; `remedy_options` follow the remedy in
-  /// parentheses, as Message::written() lists them.
+  /// `problem` is a predicate, "exclude each other", and the options are its subject. `remedy_options` follow the
+  /// remedy in parentheses, as Message::written() lists them.
   OptionError(std::vector<OptionId> options, std::string_view problem, std::string_view remedy,
               std::vector<OptionId> remedy_options = {});
   /// "--band cannot be '9': the reason; the remedy".
@@ -24,7 +24,7 @@ class OptionError : public UsageError {
   const std::vector<OptionId>& remedy_options() const { return remedy_options_; }
   const std::string& problem() const { return problem_; }
   const std::string& remedy() const { return remedy_; }
-  /// The rejected value; empty where the error is about several options, or about no value.
+  /// The rejected value; empty if the error is about several options, or about no value.
   const std::string& value() const { return value_; }
   /// The message with the options as the interface writes them.
   std::string written(OptionWriter write) const;

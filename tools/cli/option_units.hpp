@@ -11,7 +11,7 @@ namespace percuss::tools {
 /// per N, lbf, g, m/s^2 or Pa. Any other text stays unchanged.
 std::string in_option_unit(const std::string& text, std::string_view placeholder);
 
-/// The number of "136 mph", and its unit, which is empty where none follows.
+/// The number of "136 mph", and its unit, which is empty if none follows.
 struct NumberAndUnit {
   std::string_view number, unit;
 };

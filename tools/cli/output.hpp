@@ -33,7 +33,7 @@ CsvFormulas csv_formulas(bool keep_formulas);
 OutputFlags captured_output(const OutputFlags& flags);
 /// `kept` with this path alone, and this value of --force. The title is kept for pages only.
 OutputFlags single_output(const OutputFlags& kept, const std::string& path, bool force);
-/// As above, with the options of the page that the host states, which its command line names as well.
+/// As above, with the page options of the request, which are also added to the equivalent command line.
 /// errors  OptionError: an unknown paper
 OutputFlags single_output(const OutputFlags& kept, const SaveRequest& request);
 
@@ -64,8 +64,8 @@ bool writes_charts(const OutputFlags& flags);
 ///         place of a file; without `force` also for an existing file, and for a link to a file that does not exist
 void require_output_path(const std::string& path, bool force);
 
-/// Checks the output paths before anything is computed. Throws UsageError for an extension that is not in `kinds` or a
-/// path given twice, or statements for a page where none is written. Throws InputError as require_output_path; for
+/// Checks the output paths before anything is computed. Throws UsageError for an extension that is not in `kinds`, for
+/// a path given twice, and for options of the title block without a page. Throws InputError as require_output_path; for
 /// files of the title block that cannot be used; and for .pdf without a browser.
 void check_outputs(const OutputFlags& flags, const std::vector<std::string>& kinds);
 

@@ -8,7 +8,7 @@
 
 namespace percuss::tools {
 
-/// The extensions of the kinds of file of a report, for add_output_flags().
+/// The extensions of the files that show_report() can write, for add_output_flags().
 const std::vector<std::string>& report_extensions();
 
 /// Checks the output paths for these kinds. Throws as check_outputs.

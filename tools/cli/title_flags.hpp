@@ -6,7 +6,7 @@
 
 namespace percuss::tools {
 
-/// The user's statements on a page, as typed.
+/// The options of the title block of a page, as typed.
 struct TitleFlags {
   std::string title, customer, operator_name, specimen;
   std::string note;  // a text, or @FILE
@@ -22,8 +22,8 @@ void add_title_flags(Command& command, TitleFlags& flags);
 /// errors  OptionError: a paper that add_title_flags() does not offer. std::out_of_range: an unknown name.
 void set_title_flag(TitleFlags& flags, const std::string& name, const std::string& value);
 
-/// The statements with the files read. errors  InputError: a file that cannot be read, or is no picture; OptionError: a
-/// text that is too long.
+/// The title block, with the files of the note and the logo read.
+/// errors  InputError: a file that cannot be read, or is no picture; OptionError: a text that is too long
 report::TitleBlock title_block(const TitleFlags& flags);
 
 }  // namespace percuss::tools

@@ -197,8 +197,8 @@ void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& results) {
 
 namespace {
 
-// `captured`: the output flags without the host (the program that runs the command as a function), which may end before
-// the result does.
+// `captured`: the output flags without the host (the program that runs the command as a function), because the result
+// may outlive the host.
 CommandResult outcome_of(const std::shared_ptr<const AnalyzeResults>& results, const OutputFlags& captured) {
   CommandResult outcome;
   for (const Test& test : results->tests) outcome.analyses.emplace_back(results, test.analysis.get());

@@ -95,7 +95,7 @@ void require_fitted(const std::vector<pipeline::ResponseTest>& tests, const std:
   throw OptionError({"only"}, "leaves the modes out, which the file is to show", "analyse the record without it");
 }
 
-// Adds what the outcome of the tests' report lacks.
+// Completes the outcome that show_report() gave: it can also save tables of modes, and states the number of tests.
 void complete_outcome(CommandResult& outcome, const SharedTests& tests) {
   outcome.save = [tests, save_report = outcome.save](const SaveRequest& request) {
     require_fitted(*tests, request.path);
@@ -129,7 +129,7 @@ int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> re
                       const std::optional<report::BatLabel>& bat) {
   refuse_force_options(flags);
   const Sections sections = flags.only.empty() ? report::default_sections() : report::parse_report_sections(flags.only);
-  std::vector<std::string> tables;  // of modes; the other files are a report's
+  std::vector<std::string> tables;  // files of modes; `output` has the files of the report
   OutputFlags output = flags.output;
   for (const std::string& path : flags.modes_paths)
     (extension_of(path) == ".csv" ? tables : output.paths).push_back(path);

@@ -74,7 +74,8 @@ std::string text_of(const CalibrateFlags& flags, const acquire::Record& record,
                      calibration.scale < 0 ? ", and it reads pushes as negative" : "", calibration.scale);
 }
 
-// Per unit of the stored numbers, as --force-scale takes it: a record in mV is read in V.
+// Converts the scale to N per unit of the stored numbers, as --force-scale takes it. The calibration used SI units: a
+// record stored in mV is read in V.
 void convert_to_stored_unit(acquire::Calibration& calibration, double to_SI) {
   calibration.scale *= to_SI;
   calibration.scale_std *= std::abs(to_SI);

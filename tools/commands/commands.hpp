@@ -33,7 +33,7 @@ void add_man(CommandLine& line);  // last: it lists the pages of all other comma
 /// Declares the program itself and its exit codes.
 void add_program(CommandLine& line);
 
-/// Declares the command that `first_word` names; all commands where it names none, but no command for --version.
+/// Declares the command that `first_word` names. If it names none, declares all commands; for --version, none.
 void add_commands(CommandLine& line, std::string_view first_word);
 
 }  // namespace percuss::tools

@@ -105,8 +105,8 @@ struct OpenScan {
   bool assumed_points = false;  // the record does not state the points of its hits
 };
 
-// The files as points, or as `grouping` says. Files that are hits of as many points as positions are stated, by their
-// names, are taken so unless each file is a point by the user's word.
+// Joins the files as `grouping` says. Exception: the names of the files group them into as many points as there are
+// stated positions. The files of a group are then hits of one point, unless the user gave --files points.
 acquire::Record joined_scan(const ReadFlags& read, std::vector<acquire::Record> records,
                             const std::optional<pipeline::ScanPositions>& stated, acquire::FileGrouping grouping) {
   if (stated && read.files != acquire::FileGrouping::points) {
@@ -116,7 +116,7 @@ acquire::Record joined_scan(const ReadFlags& read, std::vector<acquire::Record> 
   return acquire::join_records(std::move(records), grouping);
 }
 
-// The positions come from the record where none are stated.
+// The positions come from the record if none are stated.
 OpenScan open_scan(const NodesFlags& flags, const std::optional<pipeline::ScanPositions>& stated) {
   const acquire::FileGrouping grouping =
       flags.read.files == acquire::FileGrouping::automatic ? acquire::FileGrouping::points : flags.read.files;

@@ -47,7 +47,8 @@ bool hits_agree(const pipeline::Analysis& analysis) {
   return 2 * odd < compared;
 }
 
-// files_as_points: each file was taken as a point, and the command that joins files to points.
+// The warning files_as_points: each file was taken as a point. The remedy names the command that joins the hits of each
+// point.
 pipeline::Warning taken_as_points(const Records& records, const FilesOfHits& group) {
   std::string files;
   for (const std::size_t file : group.files) files += shell_quoted_argument(records[file].source()) + " ";

@@ -9,7 +9,7 @@
 
 namespace percuss::tools {
 
-/// The groups of files that are hits of one point by their names, in the order of the files. Empty where a file states
+/// The groups of files whose names call them hits of one point, in the order of the files. Empty if a file states
 /// points of its own.
 std::vector<acquire::FilesOfHits> groups_of_files(const std::vector<acquire::Record>& records);
 

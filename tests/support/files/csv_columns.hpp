@@ -11,7 +11,7 @@
 
 namespace percuss::test {
 
-/// The columns of a CSV file by name; NaN for cells without a number. For files of which no cell holds a comma.
+/// The columns of a CSV file by name; NaN for cells without a number. No cell may contain a comma.
 inline std::map<std::string, std::vector<double>> csv_columns(const std::string& path) {
   const auto cells_of = [](const std::string& line) {
     std::vector<std::string> cells;

@@ -74,8 +74,8 @@ std::string folder_of(const std::string& path) {
 
 using Parts = std::vector<batch::HitsOfOnePart>;
 
-// Proposes to join the files that are hits of one part by their names. They could be parts that were hit once each, so
-// the plan leaves them apart.
+// Proposes to join files whose names call them hits of one part. The plan keeps them separate, because each file could
+// also be another part with one hit.
 void note_hits(const OutputFlags& output, const Parts& parts) {
   if (parts.empty()) return;
   const batch::HitsOfOnePart& first = parts.front();

@@ -13,7 +13,7 @@ std::string place_of_failed(const std::string& file);
 /// Names the first records with a problem on standard error, a line each, and counts the others.
 class ProblemList {
  public:
-  /// `what` happened: failed, is left open.
+  /// `what` follows the id in each line: "failed" or "is left open".
   explicit ProblemList(const char* what) : what_(what) {}
   void add(const std::string& id, const std::string& reason);
   /// Says how many of `total` records were not named. `where`: the end of this line, see place_of_failed().

@@ -22,7 +22,7 @@ struct ChannelSamples {
 struct Channel {
   const acquire::SignalInfo* signal = nullptr;  // of the record
   const char *role = "", *si_unit = "";
-  std::optional<ChannelSamples> samples{};  // nothing where they could not be read
+  std::optional<ChannelSamples> samples{};  // nothing if they could not be read
 };
 
 /// What the samples of a record show.

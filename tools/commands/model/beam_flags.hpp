@@ -30,7 +30,7 @@ model::UniformBeam beam_of(const BeamFlags& flags);
 inline constexpr double kBeamElementFraction = 1.0 / 200;
 
 /// The beam of the table of sections; nothing without one. Throws UsageError for options of a uniform beam beside the
-/// table, for options of the table without one, and where a constant of the material is missing.
+/// table, for options of the table without one, and for a missing constant of the material.
 std::optional<model::BeamStructure> nonuniform_beam_of(const BeamFlags& flags);
 
 /// Which numbers of a list may be zero.

@@ -53,7 +53,7 @@ std::optional<NonuniformBeam> solved_nonuniform_beam(const ModelImpactFlags& fla
   return NonuniformBeam{.structure = *structure, .modes = modes_of(*structure, flags.impact.modes)};
 }
 
-// Sets the modes at the struck point. A varied spring changes the modes.
+// Sets the modes at the struck point. Computes them again if the sweep changes the torsion spring.
 void strike_nonuniform(const NonuniformBeam& nonuniform, model::Impact& impact) {
   if (impact.beam.torsion_Nmprad == nonuniform.structure.support.torsion_Nmprad) {
     impact.struck = model::struck_modes(nonuniform.modes, impact.at_m, impact.modes);
@@ -120,7 +120,7 @@ model::ImpactOptions impact_options(const ModelImpactFlags& flags, const model::
     }
     options.step_s = *flags.step_s;
   }
-  options.series = flags.curves && flags.output.host != nullptr;  // whose caller may read the table
+  options.series = flags.curves && flags.output.host != nullptr;  // the caller of a host may read the curves
   for (const std::string& path : flags.output.paths)
     options.series = options.series || ((flags.sweeps.empty() || flags.curves) && extension_of(path) != ".json");
   return options;

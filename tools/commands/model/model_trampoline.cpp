@@ -67,7 +67,8 @@ std::vector<report::MeasuredBat> measured_bats(const std::vector<std::string>& p
   return out;
 }
 
-// The exponents that the fit does not change: those in `hold` and those given as constants. Sets the held values.
+// The exponents that the fit does not change: given by --hold, or by --a and --b. Stores the values of --hold in
+// the flags of --a and --b.
 model::HeldExponents held_exponents(TrampolineFlags& flags) {
   for (const std::string& text : flags.hold) {
     const std::size_t sign = text.find('=');

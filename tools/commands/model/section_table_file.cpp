@@ -24,7 +24,7 @@ constexpr const char* kProfileForm =
 constexpr const char* kNamesForm =
     "name further columns in the first line: wall, young, shear, density, and wall_2, young_2 … of inner layers";
 
-// From thickness on, a column belongs to a layer.
+// Columns of the kinds from `thickness` to `density` belong to a layer.
 enum class ColumnKind { position, diameter, width, thickness, wall, young, shear, density };
 
 struct ColumnName {

@@ -26,7 +26,8 @@ void add_structure_flags(Command& command, StructureFlags& flags, const char* ki
 /// unnamed  the columns of a table without names
 model::BeamStructure read_structure(const StructureFlags& flags, const std::vector<std::string>& unnamed);
 
-/// The frequencies with the rows read as the other --profile-kind, where the rows are far apart; nothing otherwise.
+/// The frequencies if the rows are read as the other --profile-kind. Nothing if the rows are close together: the kind
+/// then makes little difference.
 std::optional<report::OtherProfileKind> other_profile_kind(const model::BeamStructure& structure, std::size_t modes,
                                                            double max_element_fraction);
 

@@ -11,7 +11,7 @@ inline constexpr const char* kChannelsRequirement = "whole numbers from 1 up, or
 /// Whether the text is a piece of a list of channels: "8" or "1-5".
 bool names_channels(const std::string& piece);
 
-/// The channels "1-5" and "8", the pieces of a list, from 1.
+/// The channel numbers, from 1, that a list of pieces such as "1-5" and "8" names.
 /// errors  OptionError: other texts, channel 0, a channel twice, more than 4096 channels
 std::vector<std::size_t> parse_channels(const std::vector<std::string>& pieces);
 

@@ -11,8 +11,8 @@ bool in_foreground(int terminal);
 void enter_raw_mode(int terminal);
 /// Sets the mode again in a process that has come to the foreground.
 void renew_raw_mode();
-/// Restores the mode after all that was written has been shown; waits two seconds for this at most, because a terminal
-/// that is stopped shows nothing.
+/// Restores the mode after the terminal has shown all output. Waits for this at most two seconds, because a stopped
+/// terminal shows nothing.
 void leave_raw_mode();
 /// Whether the process was stopped and goes on, since the last call.
 bool has_continued();

@@ -18,7 +18,7 @@
 namespace percuss::tools {
 namespace {
 
-// Begins to write a file, and removes it: the same errors as at the end.
+// Creates the file and removes it, so that the errors of writing it at the end of the session occur now.
 void probe(const std::string& path, bool force) { const AtomicFile unused(path, force); }
 
 std::optional<std::size_t> blows_in(const std::string& journal) {

@@ -16,7 +16,7 @@ void check_session_files(RecordFlags& flags);
 /// The journal of an earlier session that would be overwritten. Empty: none.
 struct UnfinishedSession {
   std::string journal;
-  std::optional<std::size_t> blows;  // nothing where the journal cannot be read
+  std::optional<std::size_t> blows;  // nothing if the journal cannot be read
 
   /// "the 3 blows of its journal".
   std::string content() const;

@@ -36,10 +36,10 @@ struct RecordFlags {
   }
 };
 
-/// The options that a resumed session takes from its journal, as one line of JSON, and back. --report and --fast may be
-/// given anew. Checksums tell whether the geometry and the set-up are still the same.
-/// errors  InputError at `where`: not such a text; InputError: the geometry or the set-up has changed; OptionError: a
-/// given option contradicts the session
+/// Convert the options that a resumed session takes from its journal to one line of JSON, and back. --report and --fast
+/// may be given anew. Checksums tell whether the geometry and the set-up are still the same.
+/// errors  InputError at `where`: the text does not hold these options; InputError: the geometry or the set-up has
+/// changed; OptionError: a given option contradicts the session
 std::string settings_json(const RecordFlags& flags);
 bool is_settings(const std::string& event);
 void restore_settings(const std::string& event, const std::string& where, RecordFlags& flags);

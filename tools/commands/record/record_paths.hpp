@@ -9,11 +9,11 @@ namespace percuss::tools {
 /// they are looked for there, in the present folder and beside the journal.
 class SessionPaths {
  public:
-  /// `folder`: where the session began; empty where an older journal does not tell.
+  /// `folder`: where the session began; empty if an older journal does not state it.
   SessionPaths(const std::string& folder, const std::string& journal);
 
-  /// The path of a file from here: the first one with this SHA-256, or without a checksum the first one that exists;
-  /// where there is none, `path`.
+  /// The path of a file from here: the first file with this SHA-256; otherwise the first file that exists; otherwise
+  /// `path` itself.
   std::string find(const std::string& path, const std::string& sha256 = {}) const;
   /// The same for the file in the name of a device: "file:RECORD", "sim:SPEC,…", "plugin:PATH:…".
   std::string find_device(const std::string& device) const;

@@ -32,9 +32,9 @@ class SessionResult {
 /// The command that analyses the written file: analyze, or survey with a geometry.
 std::string analysis_command(const RecordFlags& flags);
 
-/// Writes the report by the same command that makes it from the file later: analyze, or survey with a geometry. A
-/// file that appeared during the session is kept, unless --force is given. Returns the command's exit code. Prints why
-/// it fails, and the command that writes the report later.
+/// Writes the report with the command that a user would run on the file: analyze, or survey with a geometry. A file
+/// that appeared during the session is kept, unless --force is given. Returns the command's exit code. If the command
+/// fails, prints the reason, and the command line that writes the report later.
 int write_session_report(const RecordFlags& flags);
 
 }  // namespace percuss::tools

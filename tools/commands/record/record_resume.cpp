@@ -53,8 +53,8 @@ std::uint64_t first_frame_of(const acquire::JournalReader& journal) {
   return ranges.empty() ? std::numeric_limits<std::uint64_t>::max() : ranges.front().first;
 }
 
-// The end of a resumed session overwrites the file. Refuses a file with more blows than the journal, which may be
-// damaged. The file may have one row more, which the end of the device cut short.
+// The end of a resumed session overwrites the file. Refuses a file with more blows than the journal: the journal may be
+// damaged. One more row is allowed if the end of the device cut it short.
 void refuse_loss(const std::string& path, const InterruptedSession& interrupted, bool overwrite) {
   if (!fs::exists(path) || (overwrite && !acquire::is_hdf5(path))) return;
   const std::vector<acquire::RowInfo> rows = rows_of(path);
@@ -65,7 +65,7 @@ void refuse_loss(const std::string& path, const InterruptedSession& interrupted,
                    "keep the file: move it elsewhere, and resume again");
 }
 
-// After a kill, the journal is the only file of the session, and a shell completes its name.
+// --resume also takes the journal: after a kill, it is the only file of the session, so a shell completes its name.
 void take_journal_as_output(std::string& path) {
   const std::string suffix = journal_of("");
   if (path.ends_with(suffix)) path.resize(path.size() - suffix.size());

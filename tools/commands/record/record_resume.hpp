@@ -27,7 +27,7 @@ std::size_t blow_count(const std::vector<pipeline::SessionEvent>& events, std::u
 /// session, or holds more blows than the journal; OptionError: an option contradicts the session
 InterruptedSession open_interrupted(RecordFlags& flags);
 
-/// A sentence about the bytes after the last whole block of the journal; empty where there are none.
+/// A sentence about the bytes after the last whole block of the journal; empty if there are none.
 std::string torn_text(const InterruptedSession& interrupted);
 
 /// The frames that were analysed, but could not be written to the journal.
@@ -39,6 +39,7 @@ std::string missing_text(std::uint64_t frames, double fs_Hz);
 bool repeats_itself(const std::string& device);
 
 /// Gives the guide the samples, verdicts, keys and faults of the session.
+/// seamless  the device goes on where the session was interrupted; otherwise the guide gets a finding about the gap
 void replay(const InterruptedSession& interrupted, bool seamless, pipeline::Guide& guide);
 
 }  // namespace percuss::tools

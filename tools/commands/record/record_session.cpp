@@ -59,7 +59,7 @@ std::string missing_point_text(std::size_t number, const std::vector<int>& point
 
 void press(const PressedKey& key, pipeline::Guide& guide, RecordScreen& screen) {
   const pipeline::SessionState& session = guide.session();
-  // Ten digits may exceed an int; no point has its largest value (acquire::kMaxPointNumber).
+  // Ten digits may exceed an int. No point has the largest int as its number (acquire::kMaxPointNumber).
   const auto number = static_cast<int>(std::min<std::size_t>(key.number, std::numeric_limits<int>::max()));
   switch (key.key) {
     case RecordKey::pause:
@@ -124,7 +124,7 @@ Ending record_blows(acquire::CaptureStream& stream, pipeline::Guide& guide, Reco
   return ending;
 }
 
-// If a blow cannot be stored, the error names the command that resumes the session, which the journal holds.
+// If a blow cannot be stored, the error names the command that resumes the session from its journal.
 Ending record_or_name_resume(const RecordFlags& flags, acquire::CaptureStream& stream, pipeline::Guide& guide,
                              RecordTerminal& terminal, RecordScreen& screen) {
   try {

@@ -85,7 +85,7 @@ struct Read {
   }
 
  private:
-  // Whether the option on the command line holds: it says the same, or may differ.
+  // Whether the command line gives the option. Its value must equal the stored one, except for --report and --fast.
   bool keep_typed(const std::string& key, const nlohmann::json& stored, const nlohmann::json& value) const {
     if (!typed.is_given(key)) return false;
     if (stored == value || key == "report" || key == "fast") return true;

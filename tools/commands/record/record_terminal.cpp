@@ -23,7 +23,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMaxLines = 2000, kLine_bytes = 600;
-constexpr std::size_t kPiece_bytes = 512;  // a writable pipe takes so many bytes without waiting
+constexpr std::size_t kPiece_bytes = 512;  // a writable pipe takes at least this many bytes without waiting
 constexpr auto kPatience = std::chrono::seconds(2);
 constexpr int kPoll_ms = 100;
 constexpr std::size_t kMaxPointDigits = 10;  // of acquire::kMaxPointNumber
@@ -126,7 +126,7 @@ std::optional<PressedKey> RecordTerminal::take_key() {
   return key;
 }
 
-// The next line, or the prompt where no line waits.
+// The next line, or the prompt if no line waits.
 std::string RecordTerminal::next_bytes() {
   const std::lock_guard lock(mutex_);
   std::string out;
@@ -201,7 +201,7 @@ void RecordTerminal::read_keys() {
   for (std::size_t i = 0; i < static_cast<std::size_t>(got); ++i) press(bytes[i]);
 }
 
-// Reading in the background would stop the process, and no key would do what the prompt says.
+// Keys are read and the prompt is shown only in the foreground: reading in the background would stop the process.
 bool RecordTerminal::in_front() const { return interactive_ && input_ >= 0 && in_foreground(input_); }
 
 void RecordTerminal::run() {

@@ -33,7 +33,7 @@ class RecordTerminal {
 
   bool interactive() const { return interactive_; }
   void line(const std::string& text);
-  /// `more` follows the text where it fits, else `shorter`.
+  /// `more` follows the text if it fits, else `shorter`.
   void prompt(const std::string& text, const std::string& more = "", const std::string& shorter = "");
   void bell();
   std::optional<PressedKey> take_key();
