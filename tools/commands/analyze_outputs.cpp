@@ -91,7 +91,7 @@ void check_analyze_outputs(const AnalyzeFlags& flags) {
   check(flags.modes_paths, {".csv", ".json", ".uff", ".unv"});
 }
 
-bool is_modes_table(const std::string& path) {
+bool is_csv_of_modes(const std::string& path) {
   constexpr std::string_view kName = "modes";
   const std::string stem = lower_case(std::filesystem::path(path).stem().string());
   if (extension_of(path) != ".csv" || !stem.ends_with(kName)) return false;
@@ -99,7 +99,7 @@ bool is_modes_table(const std::string& path) {
 }
 
 bool holds_several_tests(const AnalyzeFlags& flags) {
-  const auto holds = [](const std::string& path) { return is_json(path) || is_modes_table(path); };
+  const auto holds = [](const std::string& path) { return is_json(path) || is_csv_of_modes(path); };
   const auto is_table_or_document = [](const std::string& path) {
     return extension_of(path) == ".csv" || is_json(path);
   };
@@ -134,7 +134,7 @@ std::string text_of(const AnalyzeResults& results, report::TextOptions options) 
 
 namespace {
 
-std::string modes_table(const AnalyzeResults& results) {
+std::string csv_of_modes(const AnalyzeResults& results) {
   std::vector<report::NumberedAnalysis> tests;
   for (const Test& test : results.tests) tests.push_back({.run = test.run, .analysis = test.analysis.get()});
   return report::modes_csv(tests);
@@ -160,7 +160,7 @@ void write_named_outputs(const AnalyzeFlags& flags, const AnalyzeResults& result
     if (is_json(modes)) {
       write_file(modes, results.document, flags.output.force);
     } else if (extension_of(modes) == ".csv") {
-      write_file(modes, modes_table(results), flags.output.force);
+      write_file(modes, csv_of_modes(results), flags.output.force);
     } else if (analysis.possible()) {
       report::write_modes_uff(modes, analysis, flags.output.force);
     } else {
@@ -182,8 +182,8 @@ void write_outputs(const AnalyzeFlags& flags, const AnalyzeResults& results) {
       write_page(path, page_of(flags, results), flags.output);
     } else if (extension_of(path) == ".svg") {
       write_file(path, drawing_of(flags, analysis), flags.output.force);
-    } else if (is_modes_table(path)) {
-      write_file(path, modes_table(results), flags.output.force);
+    } else if (is_csv_of_modes(path)) {
+      write_file(path, csv_of_modes(results), flags.output.force);
     } else if (!analysis.possible()) {
       note_missing(flags, "FRFs", path);
     } else if (is_uff(path)) {
