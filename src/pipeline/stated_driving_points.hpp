@@ -12,7 +12,7 @@ namespace percuss::pipeline {
 
 /// A driving point as a user states it: by a number that the user sees, or by the name of the point's file.
 struct StatedDrivingPoint {
-  std::string file{};  // path, name, or name without extension; empty: `point` counts
+  std::string file{};  // path, name, or name without extension; empty: `point` states the number
   int point = 0;
   std::size_t channel = 0;
 };
@@ -30,9 +30,9 @@ struct DrivingPoints {
   std::vector<Warning> warnings;               // driving_point_numbers: a number has several meanings
 };
 
-/// Finds the points that the user means. The numbers have the first of these meanings in which all of them exist. Where
-/// files are points: the numbers in the files' names, those of a geometry that counts from 1, the record's. Otherwise:
-/// the record's, those of such a geometry.
+/// Finds the points that the user means. All stated numbers have the same meaning: the first one in which all of them
+/// exist. If each file is a point, the order is: numbers in the files' names, numbers of a geometry that counts from 1,
+/// numbers of the record. Otherwise it is: numbers of the record, numbers of such a geometry.
 /// errors  InputError: a number or a file of no point.
 DrivingPoints driving_points_of(const std::vector<StatedDrivingPoint>& stated, const PointNumbering& numbering,
                                 const std::string& source);

@@ -318,8 +318,8 @@ std::vector<identify::ReciprocityCheck> Survey::reciprocity() const {
 std::vector<Warning> Survey::warnings() const {
   std::vector<Warning> out = analysis_.warnings();
   if (!analysis_.possible()) return out;
-  // The survey's own double_peak adds the planes of the shapes.
-  // Shapes around the barrel tell three waves from bending.
+  // The survey's own warnings replace these two. Its double_peak adds the planes of the shapes, and its three_waves
+  // uses shapes around the barrel, which distinguish three waves from bending.
   std::erase_if(out,
                 [](const Warning& warning) { return warning.code == "double_peak" || warning.code == "three_waves"; });
   const SurveyResults results{.accel = analysis_.record().accel,

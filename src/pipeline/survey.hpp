@@ -33,8 +33,9 @@ struct SurveyOptions {
 /// when first demanded, and kept. `analysis` must outlive it. Not for use by several threads at once.
 class Survey {
  public:
-  /// errors  InputError: a measured point that the given geometry lacks; a driving point that was not measured; the
-  /// geometry states a direction of a point that the record states otherwise, or one for several at a place.
+  /// errors  InputError: a measured point that the given geometry lacks; a driving point that was not measured; a
+  /// direction of a point in the geometry that differs from the record's; one direction in the geometry for a place
+  /// that was measured in several.
   Survey(const Analysis& analysis, SurveyOptions options);
 
   const Analysis& analysis() const { return analysis_; }
@@ -42,15 +43,15 @@ class Survey {
   const std::optional<acquire::Geometry>& geometry() const { return geometry_; }
   const std::vector<identify::DrivingPoint>& driving_points() const { return driving_; }
   identify::Roving roving() const { return roving_; }
-  /// The numbers of the places of the measured points: several points are at one place that was struck in several
-  /// directions.
+  /// The numbers of the places of the measured points. A place that was struck in several directions has several
+  /// points.
   std::set<int> places() const;
   /// The place of a point in the geometry.
   int place_of(std::size_t point) const;
   /// The point of geometry() at the place of a measured point; nullptr without one.
   const acquire::GeometryPoint* geometry_point(std::size_t point) const;
-  /// What is stated of the points that moved: of the struck ones with a roving hammer (channel 0), else of the sensors.
-  /// Sorted. Where the record or its set-up states no direction of a point, that of the geometry counts.
+  /// The stated places and directions of the points: with a roving hammer of the struck points (channel 0), else of the
+  /// roving sensors. Sorted. If the record and its set-up state no direction of a point, the geometry's is taken.
   const std::vector<acquire::PointMotion>& motions() const { return motions_; }
   /// Whether the geometry states the direction of a measured point.
   bool geometry_has_directions() const { return geometry_has_directions_; }

@@ -31,9 +31,9 @@ MatchedPoints match_point_numbers(acquire::Geometry& geometry, const std::set<in
 void require_points(const acquire::Geometry& geometry, const std::set<int>& measured, const std::string& where,
                     const MatchedPoints& matched = {}, const std::vector<std::string>& files = {});
 
-/// missing_points: the points of a matched geometry that were not measured, because the survey is a part or a file is
-/// missing. Without numbers in the names, a missing file shifts the points of all later files: the severity is then
-/// `warn`. `files`: number of files.
+/// missing_points: the points of a matched geometry that were not measured. Either only a part of the structure was
+/// surveyed, or a file is missing. Without numbers in the names, a missing file shifts the points of all later files:
+/// the severity is then `warn`. `files`: number of files.
 std::vector<Warning> missing_points(const acquire::Geometry& geometry, const std::set<int>& measured,
                                     const MatchedPoints& matched, std::size_t files);
 

@@ -7,7 +7,7 @@
 
 namespace percuss::pipeline {
 
-/// The modes of a survey: those of its analysis, where two modes of nearly one frequency take the place of one mode
+/// The modes of a survey: the modes of its analysis, but with two modes of nearly one frequency in place of each mode
 /// whose residues are not of rank one (identify::repeated_pair). Ascending.
 struct SurveyModes {
   std::vector<identify::Mode> modes;
@@ -24,7 +24,7 @@ struct SurveyModes {
 SurveyModes survey_modes(const Analysis& analysis, identify::Roving roving,
                          const std::vector<identify::DrivingPoint>& driving);
 
-/// The types of the modes by two sensors, as Analysis::classifications(), which serve where there is no pair.
+/// The types of the survey's modes by two sensors. Without a pair, they are Analysis::classifications().
 std::vector<identify::ModeClassification> classify_by_sensors(const Analysis& analysis, const SurveyModes& survey);
 
 /// The modes of the pairs that are not resolved.
@@ -33,9 +33,9 @@ std::vector<std::size_t> unresolved_modes(const SurveyModes& survey);
 /// repeated_modes: pairs that are not resolved.
 std::vector<Warning> repeated_mode_warnings(const SurveyModes& survey, bool driving_point);
 
-/// Takes out of an analysis's warnings what follows from taking two modes for one, if there are pairs that are
-/// resolved: moving_modes, hits_differ, local_fits and model_misfit are those of the survey's modes; clock_mismatch
-/// needs modes without a partner.
+/// Corrects the warnings of an analysis that took two modes for one; does nothing if no pair is resolved. moving_modes,
+/// hits_differ, local_fits and model_misfit are replaced by the warnings of the survey's modes. clock_mismatch is
+/// removed if fewer than four modes have no partner.
 void remove_consequences_of_pairs(const Analysis& analysis, const SurveyModes& survey, std::vector<Warning>& warnings);
 
 }  // namespace percuss::pipeline

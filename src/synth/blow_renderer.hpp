@@ -18,7 +18,7 @@ class BlowRenderer {
 
   /// Force and accelerations: the channels of a frame.
   std::size_t channels() const { return 1 + session_.accels; }
-  /// The largest value of each channel, [channels()].
+  /// The full scale of each channel, the largest value that it can have, [channels()].
   const std::vector<double>& full_scales() const { return full_scales_; }
   /// Frames first … of interleaved channels, with noise, within the full scales. Pieces are rendered in order.
   void render(std::uint64_t first, std::span<double> out);

@@ -30,8 +30,8 @@ Truth planned_truth(const SynthSpec& spec) {
   return truth;
 }
 
-// Adds the contribution of a hit to its row: the force with the gain of the recorder, and the accelerations by (1).
-// The residues are per recorded force, so the gain of the force multiplies the accelerations too.
+// Adds the contribution of a hit to its row: the force with the gain of the recorder, and the accelerations by (1) of
+// synthesise.hpp. The residues are per recorded force, so the gain of the force multiplies the accelerations too.
 void add_hit(const Truth& truth, const TrueHit& hit, std::vector<double>& force_N,
              std::vector<std::vector<double>>& accel_mps2) {
   const SynthSpec& spec = truth.spec;

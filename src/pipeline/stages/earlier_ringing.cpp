@@ -23,8 +23,8 @@ constexpr double kTimeConstants = 2;        // of the slowest decay: the samples
 constexpr std::size_t kMinRinging = 256;    // samples
 constexpr std::size_t kMaxRinging = 32768;  // samples
 
-// A decay's amplitude at the gate's first sample per unit of a residue: the force drives a residue A to
-// A s²/(jω_d) Σ f[n] exp(−s n Δ) Δ.
+// The amplitude of the decay that a hit's force excites, per unit of the residue:
+// s²/(jω_d) Σ f[n] exp(−s n Δ) Δ. It holds at the gate's first sample.
 Complex excitation(const acquire::Hit& hit, Complex rate_radps, double fs_Hz) {
   const Complex step = std::exp(-rate_radps / fs_Hz);
   Complex sum = 0, power = 1;
@@ -243,7 +243,7 @@ void add_ringing_std(const std::vector<EarlierRinging>& ringing, const identify:
       for (identify::Mode& mode : modes) {
         if (!identify::overlap(one.rates[i], identify::decay_rate_of(mode.pole), 0.5)) continue;
         const std::size_t line = set.lines.nearest(mode.pole.freq_Hz);
-        // A hit's part in the average of its point, for an error of this hit's residue.
+        // The weight of this hit in the average of its point: an error of the hit enters the average by this factor.
         const double part = std::norm(spectra.force[one.hit].get()[line]) / set.points[point].ff[line];
         const double per_residue =
             std::abs(excitation(hit.hit, identify::decay_rate_of(mode.pole).rate_radps, set.lines.fs_Hz));

@@ -18,7 +18,7 @@ bool may_hide_modes(const identify::FrfDataset& set, const TestSpectra& spectra,
 struct HiddenModeSearch {
   // Tones whose phase changes along the record, and resonances that the force does not explain.
   std::vector<Tone> wandering;
-  std::optional<std::vector<identify::Pole>> unmodelled;  // unmodelled_poles, where no mode was added
+  std::optional<std::vector<identify::Pole>> unmodelled;  // result of unmodelled_poles(), if no mode was added
 };
 
 /// Adds modes at the resonances that `modes` do not describe, each from a narrow band around it (add_modes_at).

@@ -15,7 +15,7 @@ struct HitStdParts {
   double total() const;
 };
 
-/// A mode fitted to the FRFs of one hit. Its standard deviations say how far the modes of single hits are apart.
+/// A mode fitted to the FRFs of one hit. Its standard deviations are for comparisons between hits.
 struct HitMode {
   std::size_t hit = 0;
   std::size_t mode = 0;

@@ -26,8 +26,8 @@ NoiseWindow noise_window_around(const identify::Mode& mode, const acquire::LineR
   return {.first = middle - std::min(middle, reach), .end = std::min(lines.count, middle + reach + 1)};
 }
 
-// [lines of the window] how far each line moves the pole: |∂H/∂λ|² without its part that the residue and a constant
-// absorb. The sum is 1.
+// [lines of the window] how much the noise of each line moves the pole: |∂H/∂λ|², without the part of ∂H/∂λ that the
+// residue and a constant absorb. The sum is 1.
 Eigen::VectorXd influence_of_lines(const identify::Pole& pole, const acquire::LineRange& lines, double decay_per_s,
                                    const NoiseWindow& window) {
   const double omega = kTwoPi * pole.freq_Hz;

@@ -6,8 +6,8 @@
 
 namespace percuss::pipeline {
 
-/// Faults while the record was captured: `capture_lost_samples`, `capture_clock`, `capture_ended`. The blows concerned
-/// were rejected then.
+/// Faults while the record was captured: `capture_lost_samples`, `capture_clock`, `capture_ended`. The capture rejected
+/// the blows concerned.
 std::vector<Warning> capture_warnings(const acquire::Record& record);
 
 }  // namespace percuss::pipeline

@@ -192,8 +192,9 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
   return out;
 }
 
-// Each channel whose residues of all modes are within their noise, beside one that shows them. It does not respond, or
-// it lies across the motion of these modes or at a node of all; few modes may have a node in common.
+// Warns of each channel whose residues are within their noise for all modes, if another channel shows the modes. Such a
+// channel does not respond, or it lies across the motion or at a node of all these modes. A few modes may have a common
+// node: fewer than kManyModes give no warning.
 std::vector<Warning> silent_channels(const acquire::Record& record, const std::vector<identify::Mode>& modes,
                                      const std::vector<bool>& responding) {
   if (modes.size() < kManyModes) return {};

@@ -21,16 +21,17 @@ constexpr std::size_t kLinesPerBand = 6;  // lines per band of the pulse's spect
 constexpr double kMinAtNyquist = 0.1;     // of the pulse's level at low frequencies: below it nothing is excited there
 constexpr double kMaxFilterFall = 0.7;    // from 0.42 to 0.495 of the sampling rate; a filter falls further
 constexpr double kMinFolded = 0.02;  // of the largest response: level of the highest frequencies just after the hit
-// A contact that excites half the sampling rate ends within kContact samples of its peak. A steep filter rings beyond
-// them, near half the sampling rate: a linear-phase filter on both sides, with 7 to 15 % of the pulse's level there, a
-// recursive one after the pulse, with 12 %. First-order filters do not ring, and fourth-order ones with 3 %. A hammer
-// without a filter may ring after the pulse, but not before it.
+// A contact that excites frequencies near half the sampling rate ends within kContact samples of its peak. A steep
+// filter still rings outside these samples, near half the sampling rate. A linear-phase filter rings on both sides,
+// with 7 to 15 % of the pulse's level at these frequencies; a recursive filter rings after the pulse, with 12 %. A
+// fourth-order filter rings with 3 %, and a first-order filter not at all. A hammer without a filter may ring after the
+// pulse, but not before it.
 constexpr std::size_t kContact = 3, kRingingReach = 16;              // samples on either side
 constexpr double kRingingFrom = 0.35;                                // of the sampling rate
 constexpr double kMinRingingBefore = 0.02, kMinRingingAfter = 0.08;  // of the pulse's level
 constexpr double kSureOfRinging = 2;                                 // standard deviations of the noise
 constexpr double kSpreadOfNoise = 0.65;   // relative, of the power of kRingingReach samples of noise above kRingingFrom
-constexpr std::size_t kMinSameLevel = 4;  // hits that show a level
+constexpr std::size_t kMinSameLevel = 4;  // hits of a point
 constexpr double kMaxLevelSpread = 0.04;  // of the logarithm of the extremes
 constexpr double kMinForceSpread = 0.05;  // of the logarithm of the forces
 constexpr double kMinLevel = 6;           // of the noise, whose own extremes are about as equal

@@ -21,7 +21,7 @@ constexpr double kPpm = 1e6;
 
 using identify::Mode;
 
-// The modes that `value` describes, by the size of `rank`, largest first.
+// Lists the modes whose `rank` is positive, largest first, each with the text of `value`.
 std::string named_modes(const std::vector<Mode>& modes, const std::function<double(const Mode&)>& rank,
                         const std::function<std::string(const Mode&)>& value) {
   std::vector<const Mode*> found;
@@ -87,8 +87,8 @@ double unexplained_rank(const Mode& mode) {
   return freq + (damping ? mode.hit_scatter_damping : 0);
 }
 
-// The probability that noise alone makes the hits of as many modes differ, for modes without a trend. Each mode has two
-// values, and of many values some exceed the limit of a single value by chance.
+// The probability that noise alone makes the hits differ as much, in as many modes without a trend. Each mode has two
+// values (frequency and damping), and of many values some exceed the limit of a single value by chance.
 double chance_of_scatter(const std::vector<Mode>& modes) {
   std::vector<double> p_values;
   for (const Mode& mode : modes) {

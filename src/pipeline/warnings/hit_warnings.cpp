@@ -120,7 +120,8 @@ std::optional<std::vector<std::size_t>> files_of(const acquire::Record& record, 
   return std::vector<std::size_t>(own.begin(), own.end());
 }
 
-// polarity, of all hits or of some of them. One sign for the whole channel would turn the other hits.
+// polarity: for all accepted hits or for some of them. If only some are negative, a sign for the whole channel is no
+// remedy, because it would reverse the other hits.
 Warning negative_force(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                        const HitsWithFinding& negative, const PointNames& names) {
   const std::string down_to = fmt::format("is negative during the pulse, down to {:.4g} N", negative.least);

@@ -14,7 +14,7 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr double kHarmlessShift = 1e-6;       // of a frequency: 0.01 K changes one of steel as much
-constexpr double kMaxBesideDrift = 0.1;       // of the variance between points, for a drift that explains it
+constexpr double kMaxBesideDrift = 0.1;       // of the variance between points: left by a drift that explains it
 constexpr double kVague = 0.5;                // half-power bandwidths: the ± of a mode that is hardly known
 constexpr double kMinJointResidual = 0.01;    // relative: below, the model's own approximations may cause it
 constexpr double kWorthNaming = 10;           // residual energy of the joint fit over the local fit's

@@ -18,7 +18,7 @@ namespace percuss::pipeline {
 /// force_noise_unknown: modes were fitted to FRFs that were given.
 std::vector<Warning> force_noise_warnings(const std::vector<identify::Mode>& modes);
 
-/// The mean number of each point's hits, by point, where the used hits of a test are numbered in their order.
+/// [points] the mean position of a point's hits in the test: the accepted hits are numbered 0, 1, … in their order.
 std::map<int, double> order_of_points(const std::vector<AnalysedHit>& hits);
 
 /// moving_modes: frequencies that differ from point to point, unless the drift over the order of the hits explains 90 %
@@ -32,8 +32,8 @@ std::vector<Warning> no_modes_warnings(const std::vector<identify::Mode>& modes,
                                        bool started);
 
 /// unclaimed_peaks: prominent peaks within the band that no mode models.
-/// Peaks within two lines of a tone, or of a harmonic of the mains if there is a tone of the mains, are named as such;
-/// within 1 % of a tone that wanders.
+/// A separate message names the peaks that tones cause. These lie within two lines of a tone (1 % of its frequency if
+/// it wanders), or of a harmonic of the mains if there is a tone of the mains.
 /// peaks  the largest first.
 std::vector<Warning> unmodelled_peak_warnings(std::vector<identify::UnmodelledPeak> peaks,
                                               std::pair<double, double> band_Hz, const std::vector<Tone>& tones,

@@ -17,7 +17,8 @@ namespace percuss::pipeline {
 namespace {
 
 // Blows of one hammer by hand differ by a factor of 5 or so. Units that differ by less than the limit, such as lbf
-// (4.45 N) and kgf (9.81 N), cannot be told from soft blows. 22.5 mV/N that is not stated gives a factor of 44.
+// (4.45 N) and kgf (9.81 N), cannot be told from soft blows. A sensitivity of 22.5 mV/N that is not stated gives a
+// factor of 44.
 constexpr double kMinFactor = 25;
 constexpr double kMinGap = 10;  // between the forces of neighbouring points in ascending order: they are two groups
 // Responses of one structure to equal blows at its points differ by less, except near supports.
@@ -25,8 +26,8 @@ constexpr double kMaxResponseFactor = 10;
 constexpr double kThousand = 1000, kNearThousand = 3;  // kN and N, V and mV; blows themselves vary
 constexpr std::size_t kMaxListedPoints = 20;
 
-// A recorder's range or an amplifier's gain that is wrong at some points is wrong by 10. Blows by hand at the points of
-// one structure differ by a factor of 2.2 from their median (decision 172), so that a factor of 5 needs a reason.
+// A recorder's range or an amplifier's gain that is wrong at some points is wrong by a factor of 10. In surveys struck
+// by hand, no point had less than 1/2.2 of the median force (decision 172): a factor of 5 needs another reason.
 constexpr double kMinRangeFactor = 5;
 constexpr std::size_t kMinUsualPoints = 6;     // points with the usual force
 constexpr std::size_t kPointsPerDoubtful = 3;  // at most one point of so many may have another force

@@ -9,11 +9,12 @@
 
 namespace percuss::pipeline {
 
-/// Groups of points whose accepted hits have a median force that is at least 25 times smaller or larger than in the
-/// largest group. In ascending order of force, a factor of more than 10 lies between the groups:
-///   units_differ  their responses differ in this direction by less than a factor of 10, so that the force has another
-///                 unit or scale there
-///   weak          the forces are smaller, and the responses by a factor of 10 or more, too
+/// Warns of groups of points whose accepted hits have a median force that is at least 25 times smaller or larger than
+/// in the group of most points. In ascending order of force, a factor of more than 10 between two points separates two
+/// groups.
+///   units_differ  the responses do not differ in the same direction by a factor of 10 or more, so that the force has
+///                 another unit or scale there
+///   weak          the forces are smaller, and the responses are smaller by a factor of 10 or more
 /// Empty where the responses were not read, and for a test of one point.
 std::vector<Warning> point_force_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                           const PointNames& names);

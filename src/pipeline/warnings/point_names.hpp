@@ -35,9 +35,10 @@ enum class GeometryNumbers {
 };
 
 /// Matches the numbers of a geometry to `measured`, the record's numbers of the points. `files`: from
-/// files_of_points(). If the names of the files have numbers, these decide, with two exceptions for as many files as
-/// points, in which the order of the files decides. Either the geometry has none of the numbers: they are something
-/// else, such as times. Or the files count from 1 and the geometry from 0, or the reverse.
+/// files_of_points(). If the names of the files have numbers, these numbers decide. There are two exceptions, both only
+/// if there are as many files as points in the geometry. The order of the files decides if the geometry has none of the
+/// numbers, which are then something else, such as times. It also decides if the files count from 1 and the geometry
+/// from 0, or the reverse.
 GeometryNumbers geometry_numbers(const std::set<int>& geometry, const std::set<int>& measured,
                                  const std::vector<std::string>& files);
 

@@ -20,12 +20,12 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kClear_rad = 0.05;         // ± of the angle of a ratio that counts
+constexpr double kClear_rad = 0.05;         // largest ± of the angle of a ratio that is used
 constexpr double kInPhase = 0.4;            // RatioAngle::out_of_phase of a real shape
 constexpr double kMidway_rad = 0.1;         // 6°, from ratios of ±1
 constexpr double kRightAngle = 0.1;         // cosine of the angle between the sensors
 constexpr double kOwnMode = 0.04;           // relative distance of modes that are no pair of one mode
-constexpr std::size_t kMinTubeModes = 3;    // that make a statement
+constexpr std::size_t kMinTubeModes = 3;    // modes that a statement needs
 constexpr double kSamePlace_m = 0.02;       // sensors farther apart along the tube have other ratios
 constexpr double kDecisive = 6;             // log_fault_evidence: the fault is 400 times as likely
 constexpr double kSameFactor = 0.15;        // of the logarithm of a ratio, at a factor: errors of gains and angles
@@ -68,7 +68,8 @@ std::vector<ClearRatio> clear_ratios(const std::vector<identify::Mode>& modes,
   return out;
 }
 
-// The number of modes, each pair of one mode counted once. The ratios ascend in frequency.
+// The number of modes. The two modes of a pair, within kOwnMode of each other, count once. The ratios ascend in
+// frequency.
 std::size_t different_modes(const std::vector<ClearRatio>& ratios) {
   std::size_t count = 0;
   double before_Hz = 0;

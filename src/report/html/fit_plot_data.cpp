@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The bytes of all FRFs together, and the bounds of the lines of one FRF.
+// The wanted limit of the bytes of all FRFs together, and the fewest and most lines of one FRF.
 constexpr std::size_t kMaxBytesOfAll = 120'000, kMinLines = 100, kMaxLines = 4000;
 constexpr std::size_t kMaxPeaks = 20;
 constexpr double kStep_dB = 0.1, kResidualStep_dB = 1, kStepsPerTurn = 512, kMaxLevel_dB = 400;

@@ -56,7 +56,8 @@ void check_jpeg(std::string_view bytes, const std::string& where) {
   refuse("a JPEG picture without a size", where);
 }
 
-// Whether an attribute such as onload= stands in the text: " on", letters, blanks, "=".
+// Whether an attribute such as onload= stands in the text: "on" after a character other than a letter or "-", then
+// letters, blanks, "=".
 bool has_event_handler(std::string_view lower) {
   const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
   const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };

@@ -99,8 +99,8 @@ constexpr std::size_t kMinFilled = 4;  // at least one in so many cells of a tab
 int whole(double number) { return static_cast<int>(std::clamp(number, -1e9, 1e9)); }
 std::size_t index(double number) { return static_cast<std::size_t>(std::clamp(number, 0.0, 1e9)); }
 
-// Whether the residues fill a fair part of a table of points and channels. A foreign document may state a table beyond
-// the memory.
+// Whether the residues fill a fair part of a table of points and channels. If they do not, the table may exceed the
+// memory: a document that percuss did not write may state any numbers of points and channels.
 bool fill_a_table(const std::vector<identify::Residue>& residues) {
   std::set<std::size_t> points, channels;
   for (const identify::Residue& residue : residues) {
@@ -166,7 +166,7 @@ std::vector<metrics::ComparedMode> frequencies_in(const Part& list, const char* 
   return modes;
 }
 
-// The modes of a bat. The orders of a free one are those of a test of a free bat.
+// The modes of a bat. Only a free bat gets orders, because they then equal the orders in a test of a free bat.
 std::vector<metrics::ComparedMode> bat_modes_in(const Part& part) {
   std::vector<metrics::ComparedMode> modes = frequencies_in(part.at("frequency_hz"), "bending");
   if (!part.has("support") || part.at("support").at("kind").text() != "free") return modes;
@@ -177,8 +177,8 @@ std::vector<metrics::ComparedMode> bat_modes_in(const Part& part) {
   return modes;
 }
 
-// The coordinates of a place, also those of a position and an angle on a tube of any radius; nothing where none are
-// stated.
+// The coordinates of a place; nothing if none are stated. A position and an angle on a tube are converted with an
+// assumed radius.
 std::optional<std::array<double, 3>> coordinates_in(const Part& place) {
   constexpr double kRadius_m = 0.03;
   if (place.has("x_m") || place.has("y_m") || place.has("z_m"))

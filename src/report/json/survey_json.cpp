@@ -61,7 +61,7 @@ Json geometry_json(const pipeline::Survey& survey) {
           {"tube", survey.geometry()->tube}};
 }
 
-// What is stated of the points that moved, or of the struck points where only the record states directions.
+// The stated places and directions of the points: the survey's if the geometry states directions, else the record's.
 const std::vector<acquire::PointMotion>& stated_motions(const pipeline::Survey& survey) {
   return survey.geometry_has_directions() ? survey.motions() : survey.analysis().record().motions;
 }
@@ -80,8 +80,8 @@ Json direction_json(const std::vector<acquire::PointMotion>& motions, int point)
   return {};
 }
 
-// The numbers that people see, the coordinates and the directions of the points; empty where the record's numbers are
-// all that is known.
+// The numbers that people see, the coordinates and the directions of the points; empty without a geometry if these
+// numbers are the record's.
 Json places_json(const pipeline::Survey& survey) {
   // Several roving sensors at one point have directions of their own.
   const bool one_direction = survey.geometry_has_directions() || !are_of_sensors(survey);
@@ -110,7 +110,7 @@ Json places_json(const pipeline::Survey& survey) {
   return known ? out : Json::array();
 }
 
-// What is stated of the points' directions and places.
+// The stated places and directions of the points.
 Json motions_json(const pipeline::Survey& survey) {
   Json out = Json::array();
   for (const acquire::PointMotion& motion : stated_motions(survey)) {

@@ -100,7 +100,7 @@ LineChart hits_chart(const std::vector<HitCurves>& hits, HitSamples HitCurves::*
   return chart;
 }
 
-// At the highest order of the diagram: the sections that show these poles have orders of their own.
+// Drawn at the highest order of the diagram, because the sections that show these poles have model orders of their own.
 ChartCurve unmodelled_poles(const pipeline::Analysis& analysis) {
   ChartCurve curve{
       .name = "stable in a part of the band, no mode", .line = false, .mark = ChartMark::triangle, .style = 4};

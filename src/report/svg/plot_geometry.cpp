@@ -52,9 +52,9 @@ bool on_tube(const pipeline::Survey* survey) {
   return survey != nullptr && survey->geometry() && survey->geometry()->tube;
 }
 
-// The direction of a positive response as the geometry or the record states it: of the point, else of the sensor or the
-// hammer. For a point without a direction, nothing on a tube, where the motion is radial, and nothing for a sensor with
-// a stated angle, which takes precedence.
+// The direction of a positive response that the geometry or the record states for the point, else for the sensor or the
+// hammer. If the point has none: nothing on a tube, where the motion is radial; and nothing for a sensor whose angle is
+// stated, because the angle takes precedence.
 std::optional<acquire::Direction> stated_direction(const pipeline::Survey* survey, const pipeline::Analysis& analysis,
                                                    std::size_t point, std::size_t channel, bool sensors, bool tube) {
   const acquire::Record& record = analysis.record();

@@ -30,9 +30,12 @@ struct PlotMesh {
 /// structure_mesh(). The survey must have modes.
 PlotMesh plot_mesh(const pipeline::Survey& survey);
 
-/// Direction of a positive response: as the geometry states it for the point, or the record for the point, or for the
-/// sensor or hammer; else the point's normal; with `sensors`, along the sensor's angle where it is known on a structure
-/// that is no tube; along z without a mesh.
+/// Direction of a positive response: the first of these that is known.
+///   the direction that the geometry or the record states for the point
+///   on a structure that is no tube: with `sensors`, the stated angle of the sensor; the axis of the sensor or hammer;
+///   with `sensors`, an assumed angle
+///   the point's normal
+/// Along z if none is known.
 std::array<double, 3> response_direction(const PlotMesh* mesh, const pipeline::Survey* survey,
                                          const pipeline::Analysis& analysis, std::size_t point, std::size_t channel,
                                          bool sensors);

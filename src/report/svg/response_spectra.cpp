@@ -15,7 +15,7 @@ namespace percuss::report {
 namespace {
 
 constexpr std::size_t kMaxCharts = 6;
-constexpr double kFloor_dB = -140;  // of what a chart shows
+constexpr double kFloor_dB = -140;  // the lowest level that a chart shows
 
 // The spectral lines of the decays within the band.
 struct DecayLines {

@@ -13,8 +13,8 @@
 namespace percuss::report {
 namespace {
 
-// The last column is at least kMinWrap wide: a narrower one is harder to read than a line that is too long. It may have
-// kTightWrap where the table then fits.
+// The last column is wrapped at the terminal's width if this leaves it kTightWrap characters or more. Otherwise it is
+// kMinWrap wide, because lines that are too long are easier to read than a narrower column.
 constexpr std::size_t kMinWrap = 24, kTightWrap = 14;
 constexpr std::size_t kMaxNormalColumns = 9;  // of a table on a page: a wider one has smaller letters
 

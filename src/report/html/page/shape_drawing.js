@@ -84,8 +84,8 @@ const drawRest = (context, shapes, resting, colour, ratio) => {
 
 const middleOf = (p, q) => [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2];
 
-// Faces as one piece per corner, in the corner's colour, and lines; the farthest first. A line without faces is two halves, each
-// in the colour of its end.
+// The pieces to draw, the farthest first. A face gives one piece per corner, in the corner's colour, and each line is one
+// piece. In a structure without faces, a line gives two halves, each in the colour of its end.
 const piecesOf = (shapes, { spots, shade }, ink, radius) => {
   const pieces = [];
   for (const face of shapes.faces) {
@@ -158,8 +158,8 @@ const drawSigns = (context, shapes, { spots, values }, colours, ratio) => {
   }
 };
 
-// Draws a mode at a phase in radians. `look` has amplitude (of the structure's radius), kind (displacement or phase), rest,
-// sensors, signs.
+// Draws a mode at a phase in radians. `look` has amplitude (of the structure's radius), kind (displacement or phase),
+// colours (shapeColours), and whether to draw rest, sensors and signs.
 const drawShape = (canvas, shapes, mode, view, look, phase) => {
   const context = canvas.getContext("2d"), ratio = devicePixelRatio;
   const at = view.projection(canvas.width, canvas.height), colours = look.colours, bare = !shapes.faces.length;
