@@ -51,7 +51,7 @@ struct RowContents {
   Json fs_Hz, band_Hz{Json(), Json()};
   std::size_t accepted = 0, rejected = 0;
   std::set<acquire::FindingCode> findings;
-  bool short_hit = false;             // finding of a record without a force: a hit was rejected for a reason
+  bool short_hit = false;             // finding of a record without a force: a hit has no usable decay
   std::vector<std::string> warnings;  // in order of appearance
   std::vector<Json> modes;
   std::vector<Json> frfs;
