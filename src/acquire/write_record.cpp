@@ -20,15 +20,15 @@ constexpr const char* kDrivingPlaces = "which points were struck beside a sensor
                    fmt::format("name a file that ends in {}", fmt::join(extensions, ", ")));
 }
 
-// percuss writes into no format, not even UFF, the directions of motion that a universal file states; `test` is a
-// Record or FrfRecord.
+// No file that percuss writes keeps the directions of motion. The UFF format has them, but the writer omits them.
+// `test` is a Record or FrfRecord.
 template <class Test>
 void add_lost_directions(const Test& test, std::vector<std::string>& losses) {
   if (!test.motions.empty()) losses.emplace_back("the directions of motion");
   if (test.sensor_roves) losses.emplace_back("that the sensors moved and the hammer did not");
 }
 
-// Whether a channel has a name of its own: readers name a channel without one by its number.
+// Whether any channel has a name that is more than its number. Readers name a channel without a name by its number.
 bool has_own_names(const std::vector<SignalInfo>& channels) {
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const std::string& name = channels[c].name;

@@ -50,7 +50,7 @@ std::optional<acquire::FrfKind> frf_kind(const std::optional<FrfKind>& kind);
 acquire::FrfKind frf_kind(FrfKind kind);
 FrfKind public_kind(acquire::FrfKind kind);
 
-/// errors  InputError: options that contradict each other.
+/// errors  InputError: an option is out of range, or options contradict each other.
 pipeline::AnalysisOptions analysis_options(const AnalysisOptions& options);
 /// The record of one test. errors  InputError: several runs.
 acquire::Record record_of_one_run(const Record& record);

@@ -32,7 +32,7 @@ std::vector<BatchRecord> records_of_files(const std::vector<std::string>& paths,
 
 /// Files that are hits of one part by their names (acquire::files_called_hits), although each is a record of its own.
 struct HitsOfOnePart {
-  std::string part;                // the name before "hit1", else that of the folder; empty without either
+  std::string part;                // the name before "hit1", else the folder's name; empty without either
   std::vector<std::string> paths;  // two or more
 };
 std::vector<HitsOfOnePart> hits_of_one_part(const std::vector<std::string>& paths);

@@ -51,7 +51,7 @@ struct RowContents {
   Json fs_Hz, band_Hz{Json(), Json()};
   std::size_t accepted = 0, rejected = 0;
   std::set<acquire::FindingCode> findings;
-  bool short_hit = false;             // a record without a force has a rejected hit, whose finding this is
+  bool short_hit = false;             // finding of a record without a force: a hit has no usable decay
   std::vector<std::string> warnings;  // in order of appearance
   std::vector<Json> modes;
   std::vector<Json> frfs;
@@ -178,7 +178,7 @@ void add_runs(RowContents& rows, const BatchRecord& record, acquire::Measurement
     add_response_run(rows, record, run, pipeline::analyse_responses(std::move(part), options.analysis), options);
 }
 
-// The codes and messages of the command `analyze`.
+// Turns errors into the exit codes and messages of the command `analyze`.
 RowContents row_contents_of(const BatchRecord& record, const RowOptions& options) {
   RowContents rows;
   const auto failed_record = [](int code, const std::string& reason) {

@@ -6,9 +6,9 @@
 
 namespace percuss::batch {
 
-/// Runs work again, after each of the waits, while a fault of the machine stops it. If the last attempt fails, later
-/// work is tried once only, until end_of_fault(): a thousand records must not wait a thousand times. Several threads
-/// may call at the same time.
+/// Repeats work that a fault of the machine stops: one more attempt after each of the waits. If the last attempt fails,
+/// later work is tried only once, until end_of_fault(): a thousand records must not wait a thousand times. Several
+/// threads may call at the same time.
 class Retries {
  public:
   /// The waits must outlive the object.

@@ -34,7 +34,7 @@ struct RecordProblem {
 struct ShardOutcome {
   FinishedShard part;                 // without `bytes` and `sha256` if records are open
   std::size_t analysed = 0;           // records in this run; earlier runs finished the others
-  std::vector<RecordProblem> failed;  // those of `analysed` that failed, ascending
+  std::vector<RecordProblem> failed;  // failed records of this run, ascending; `analysed` counts them too
   /// Records without a result, ascending: the machine failed (no process, no memory, no descriptor, a full disk, …),
   /// not the record. The shard is not finished if there are any.
   std::vector<RecordProblem> open;

@@ -16,7 +16,7 @@ namespace {
 // The C library does not declare these calls.
 long landlock_version() { return ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION); }
 
-// Newer versions handle more kinds of access, and the header of an older kernel does not name them.
+// The layout of landlock_ruleset_attr. The header of an older kernel lacks the later fields and kinds of access.
 struct HandledAccess {
   std::uint64_t files = 0, network = 0, other_processes = 0;
 };

@@ -18,7 +18,7 @@ class ForkServer {
  public:
   using Open = std::function<SandboxService(const std::string& path)>;
   /// The readers call `open`.
-  /// errors  InputError: no process can be started
+  /// errors  MachineFault: no process can be started
   explicit ForkServer(const Open& open);
   ~ForkServer();
   ForkServer(const ForkServer&) = delete;

@@ -26,7 +26,7 @@ void serialize_frf_record(Serializer& out, const FrfRecord& record) {
   serialize_geometry(out, record.geometry);
   out.put_all(record.trace_lines);
   out.put(static_cast<std::uint64_t>(record.motions.size()));
-  for (const PointMotion& motion : record.motions) {  // of struck points: these formats state no roving sensors
+  for (const PointMotion& motion : record.motions) {  // of struck points; sensor_roves is never set in the sandbox
     out.put(motion.point);
     out.put(motion.place);
     serialize_axis(out, motion.along);

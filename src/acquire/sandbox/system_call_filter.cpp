@@ -86,7 +86,7 @@ class Filter {
   }
 
   scmp_filter_ctx context_;
-  std::vector<unsigned> calls_;  // their numbers
+  std::vector<unsigned> calls_;  // numbers of the allowed calls
   bool complete_ = true;
 };
 

@@ -26,7 +26,8 @@ bool is_number(std::string_view cell, const CsvDialect& dialect) {
   return problem != NumberProblem::empty && problem != NumberProblem::not_a_number;
 }
 
-// Numbers or gaps in all columns of numbers: a gap must not turn the first line of data into a header.
+// Whether all columns of numbers hold a number or nothing, and at least half hold a number. A gap must not turn the
+// first line of data into a header.
 bool looks_like_data(std::string_view line, const CsvDialect& dialect, const std::vector<std::size_t>& columns) {
   const Cells cells = split_cells(line, dialect, columns.back() + 1);
   std::size_t numbers = 0;

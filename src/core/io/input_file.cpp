@@ -32,7 +32,7 @@ class Descriptor {
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   int number() const { return number_; }
-  // Leaves the descriptor open, to the caller.
+  // Hands the open descriptor to the caller, who closes it.
   int release() { return std::exchange(number_, -1); }
 
  private:

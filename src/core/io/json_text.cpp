@@ -16,10 +16,11 @@ using nlohmann::json;
 
 constexpr int kMaxDocumentDepth = 16;                       // documents of percuss nest far less
 constexpr std::size_t kMaxKeys = 10'000;                    // of one object
-constexpr std::size_t kFreeBytes = std::size_t{48} << 20U;  // of values, for a text of any length
-constexpr std::size_t kBytesPerTwo = 13;                    // of values, for two bytes of the text
-// Memory of values, with their allocations: an item of a list, whose memory doubles as it grows; a list, an object or a
-// text; a key with its value. A text of more than kLongText bytes has an allocation of its own.
+constexpr std::size_t kFreeBytes = std::size_t{48} << 20U;  // allowed to the values of a text of any length
+constexpr std::size_t kBytesPerTwo = 13;                    // allowed besides, for every two bytes of the text
+// The memory charged for values, with their allocations. kItemBytes: an item of a list, whose memory doubles as it
+// grows. kContainerBytes: a list, an object or a text. kKeyBytes: a key with its value. A text of more than kLongText
+// bytes has an allocation of its own.
 constexpr std::size_t kItemBytes = 64, kContainerBytes = 64, kKeyBytes = 96, kAllocationBytes = 16, kLongText = 15;
 
 std::size_t text_bytes(const std::string& text) { return text.size() > kLongText ? text.size() + kAllocationBytes : 0; }

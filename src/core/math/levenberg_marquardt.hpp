@@ -21,7 +21,8 @@ class LeastSquaresProblem {
 
   /// The sum of squares at the current point.
   virtual double cost() const = 0;
-  /// The normal equations at the current point; asked for once per accepted step. Valid until accept().
+  /// The normal equations at the current point, valid until accept(). The search asks for them once per accepted step,
+  /// and perhaps once more at its end.
   virtual const NormalEquations& normal_equations() = 0;
   /// The size of a step in the unit of LevenbergMarquardtOptions::step_tolerance; the Euclidean norm unless overridden.
   virtual double step_size(const Eigen::VectorXd& step) const { return step.norm(); }

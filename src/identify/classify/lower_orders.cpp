@@ -8,7 +8,9 @@ namespace percuss::identify {
 namespace {
 
 constexpr double kMinConfidence = 0.9;  // of a lower mode that is counted
-// Ratios of successive bending frequencies. Uniform beams: 2.76, 1.96, 1.65, …; bats: 3.1 to 3.8 for the first two.
+// Limits of the ratio of successive bending frequencies. Above kFirstRatio, the two are the first and the second order;
+// above kMaxRatio, the lower one is motion on the suspension. Uniform beams have 2.76, 1.96, 1.65, …; bats 3.1 to 3.8
+// for the first two.
 constexpr double kFirstRatio = 2.3;
 constexpr double kMaxRatio = 4.5;
 

@@ -16,8 +16,8 @@ constexpr double kPlaneStd_rad = 0.14;     // 8°: scatter of the planes of diff
 constexpr double kKnownPlane = 0.7;
 constexpr double kBlowStd_rad = 0.02;  // 1°: scatter of the bending planes of a round tube about the plane of the blow
 constexpr double kPlaneOfBlow = 0.9;   // prior of this plane; the rest is bending in any plane
-constexpr double kOtherTypePrior =
-    0.05;                             // prior of modes that are neither bending nor n = 2, for a bat below a few kHz
+// Prior of modes that are neither bending nor n = 2, for a bat below a few kHz.
+constexpr double kOtherTypePrior = 0.05;
 constexpr double kMinDensity = 1e-6;  // lower limit of a density
 // Quadrature point of the angle error, in standard deviations, and its Gaussian weight.
 constexpr std::array<double, RatioLikelihood::kPlacements> kNodes{-2.4, -1.6, -0.8, 0, 0.8, 1.6, 2.4};

@@ -26,7 +26,7 @@ struct Order {
   std::vector<std::size_t> modes;
   int number = 0;
   double freq_Hz = 0;             // mean
-  double three_over_bending = 1;  // of the mode that says most
+  double three_over_bending = 1;  // of the mode whose ratio is furthest from 1
 };
 
 std::vector<Order> bending_orders(const std::vector<Mode>& modes, const std::vector<ModeClassification>& types,
@@ -50,7 +50,7 @@ struct Sequence {
   double last = 0, step = 0;
   bool known = false;
 
-  // The number of orders after the last one, and the density of ln f, of a bending mode at this frequency.
+  // The density of ln f for a bending mode `missing` + 1 orders after the last one, times the prior of the gap.
   double density(double freq_Hz, std::size_t missing) const {
     const double orders = static_cast<double>(missing) + 1, forecast = last + orders * step;
     const double std = kOrderStd * orders, z = (std::log(freq_Hz) - 2 * std::log(forecast)) / std;
@@ -66,8 +66,8 @@ Sequence sequence_of(const std::vector<double>& known_Hz) {
   return {.last = root(0), .step = step, .known = std::abs(step / before - 1) < kEvenSteps};
 }
 
-// Sums over all assignments of the orders to bending and to three waves. Of more than kMaxOrders, the last are left
-// open.
+// Sums over all assignments of the orders to bending and to three waves. Orders after the first kMaxOrders are not
+// assigned: both are equally probable.
 class Assignments {
  public:
   Assignments(const std::vector<Order>& orders, const Sequence& known, double end_Hz)
@@ -85,7 +85,7 @@ class Assignments {
     for (const auto& [offset, weight] : by_offset_[order]) sum += weight;
     return order < compared_ ? sum / total_ : 0.5;
   }
-  // The probability, if it is bending, that its number is the number of its place plus `offset`.
+  // The probability, if the order is bending, that its true number is Order::number plus `offset`.
   double counts(std::size_t order, int offset) const {
     double sum = 0;
     for (const auto& [one, weight] : by_offset_[order]) sum += weight;
@@ -94,7 +94,7 @@ class Assignments {
   }
 
  private:
-  // `offset`: the missing orders less those of three waves, so far.
+  // `offset`: the number of missing bending orders minus the number of three-wave orders, so far.
   void assign(std::size_t next, const Sequence& known, int offset, double weight) {
     if (next == compared_) {
       finish(known, weight);

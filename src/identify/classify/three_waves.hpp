@@ -6,10 +6,10 @@
 
 namespace percuss::identify {
 
-/// Sure modes below the given ones, in ascending frequency, that are not among them.
+/// Modes of sure type below the modes that allow_three_waves() judges, in ascending frequency.
 struct LowerTubeModes {
   std::optional<double> lowest_hoop_Hz;
-  std::vector<double> bending_Hz;  // one for each order, without gaps up to the first order of the given modes
+  std::vector<double> bending_Hz;  // one for each order, without gaps up to the lowest order of the judged modes
 };
 
 /// Lets bending modes above twice the lowest sure hoop mode (n = 2) be modes of three waves around the barrel (n = 3).
@@ -18,16 +18,16 @@ struct LowerTubeModes {
 /// or more lie below: √f of successive orders rises by equal steps (within 3 % of f), and an order is rarely missing.
 /// The densities of ln f are normal for bending, and uniform from 2 to 6 times the lowest hoop frequency for n = 3;
 /// the probabilities are sums over all assignments of the orders above that limit.
-/// Where a mode may have three waves with more than 3 %, it is marked, and its confidence counts this. Below
-/// kMinTypeProbability its type becomes unknown, and later bending orders count on without it. Where the order of a
-/// later bending mode depends on such a mode, it is marked too. Without a sure hoop mode nothing changes: the lowest
-/// hoop mode then lies above the band or is not excited, and modes of three waves lie even higher. Modes below the
-/// limit never change.
+/// A mode with a probability of more than 3 % for three waves is marked. Its confidence is multiplied by the
+/// probability of bending. If the result is below kMinTypeProbability, its type becomes unknown, and later bending
+/// orders are numbered without it. A bending mode whose order is then uncertain is marked, too. If there is no sure
+/// hoop mode, nothing changes: the lowest hoop mode then lies above the band or is not excited, and modes of three
+/// waves lie even higher. Modes below the limit never change.
 /// three_over_bending [modes]: likelihood of the ratio for n = 3 over the one for bending in any plane. theory (6.9)
 void allow_three_waves(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
                        const std::vector<double>& three_over_bending, const LowerTubeModes& lower = {});
 
-/// The modes below the given ones from the modes `below` the band and the orders counted among them (lower_orders).
+/// The LowerTubeModes among the modes `below` the band. `lower`: the orders that lower_orders() counted there.
 LowerTubeModes lower_tube_modes(const std::vector<Mode>& below, const std::vector<ModeClassification>& below_types,
                                 const LowerOrders& lower, const ClassifyOptions& options);
 

@@ -33,8 +33,9 @@ std::vector<TypePosterior> type_posteriors(const std::vector<TypeEvidence>& mode
 
 /// Natural logarithm of the evidence for the sensors' set-up: the denominator of (1), which is the sum over all types
 /// of all modes, planes and placements. It is the mean over two kinds of tubes: one with planes of its own, as in (1),
-/// and a round one whose bending modes all lie in the plane of the blow. The prior of a hoop mode falls with the
-/// frequency of each mode. Only differences between set-ups of the same modes have a meaning.
+/// and a round one whose bending modes all lie in the plane of the blow. The lower the frequency of a mode is, the
+/// smaller is its prior probability of being a hoop mode. Only differences between set-ups of the same modes have a
+/// meaning.
 /// theory (6.8)
 double log_set_up_evidence(const std::vector<TypeEvidence>& modes, const RatioLikelihood& likelihood);
 

@@ -22,8 +22,8 @@ struct DecayGroupFit {
   Eigen::MatrixXd covariance;    // of (Re s, Im s) of each mode, [2 modes, 2 modes]
   /// [hits × channels] variance of the real and of the imaginary part of a line where line_std is 1.
   Eigen::VectorXd noise;
-  Eigen::MatrixXd inverse_gram;  // [2 modes, 2 modes] of the columns: times `noise` the covariance of an amplitude
-  /// The step of the rates by each hit alone, and its normal matrix, [hits].
+  Eigen::MatrixXd inverse_gram;  // [2 modes, 2 modes] of the columns; times `noise`: covariance of an amplitude
+  /// [hits] The step of the rates to the optimum of each hit alone (linear estimate), and the hit's normal matrix.
   std::vector<Eigen::VectorXd> hit_step;
   std::vector<Eigen::MatrixXd> hit_information;
   /// √((1 + c)/(1 − c)) for the correlation c of neighbouring lines' residuals: the standard deviation of a sum of many

@@ -51,7 +51,7 @@ struct DecayColumns {
   Eigen::MatrixX2cd value, slope;  // slope: the columns (1) of t·exp(st)
 };
 DecayColumns decay_columns(const DecayRate& rate, const DecaySpectra& spectra, std::size_t first, std::size_t count);
-/// Lines for which callers compute the columns at a time, so that the columns stay in the cache.
+/// Callers compute the columns for this many lines at a time, so that they stay in the cache.
 constexpr std::size_t kDecayBlock_lines = 256;
 /// Only the values of decay_columns.
 Eigen::MatrixX2cd decay_values(const DecayRate& rate, const DecaySpectra& spectra, std::size_t first,

@@ -12,8 +12,8 @@ namespace {
 using Eigen::Index;
 
 constexpr std::size_t kOrder = 16;
-constexpr double kLoad =
-    1e-9;  // added to the variance, relative to it: keeps the equations solvable without noise at some frequencies
+// Added to the variance, relative to it: keeps the equations solvable without noise at some frequencies.
+constexpr double kLoad = 1e-9;
 
 }  // namespace
 

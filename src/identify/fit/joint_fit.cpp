@@ -21,7 +21,8 @@ using Eigen::VectorXd;
 constexpr double kSpill = 0.1;  // of the largest statistic: the misfit of its mode may cause smaller statistics
 constexpr int kMaxRounds = 8;   // of releasing real residues
 
-// Rounding: the cost of a million lines then changes by less than a thousandth of a standard deviation squared.
+// rounding_tolerance: the cost of a million lines is about 10⁶, so a decrease of about 10⁻⁶ counts as rounding. The
+// poles are then within about a thousandth of their standard deviation.
 constexpr LevenbergMarquardtOptions kJointSearch{.max_rejections = 14,
                                                  .initial_damping = 1e-6,
                                                  .min_damping_outside = 1e-3,

@@ -51,7 +51,7 @@ class VariableProjection {
   /// The slopes of a part with the polynomial and the columns projected out, [lines, 2 modes].
   Eigen::MatrixXcd projected_slopes(const ProjectedPart& part) const;
 
-  /// Replaces noise_scale; a ProjectedState stays valid but for its cost.
+  /// Replaces noise_scale. A ProjectedState stays valid, except for its cost.
   void set_noise_scale(Eigen::VectorXd noise_scale) { noise_scale_ = std::move(noise_scale); }
 
   /// Derivatives of an FRF's residues by the poles: −(columns⁺)·slopes·residue, [modes, 2 modes].

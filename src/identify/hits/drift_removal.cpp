@@ -25,7 +25,7 @@ std::vector<double> hits_from_middle(std::size_t hits) {
   return from;
 }
 
-// [modes] columns of all modes at their poles in a hit less those at their mean poles.
+// [modes] the column of each mode at its pole in a hit minus the column at its mean pole.
 std::vector<VectorXcd> changed_columns(const FrfDataset& set, const PointForce& force, const std::vector<Mode>& modes,
                                        double change) {
   std::vector<VectorXcd> out;

@@ -22,8 +22,8 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 constexpr double kMaxUncertainty = 0.5;  // of half-power bandwidth and damping ratio: beyond it the pole is unknown
-constexpr double kMinModeGain =
-    12;  // F statistic of a mode over the fits of all hits: in noise, a search for a mode reaches 6
+// F statistic of a mode over the fits of all hits: in noise, a search for a mode reaches 6.
+constexpr double kMinModeGain = 12;
 // Of the data, or of the largest noise: the weight of an FRF without residual stays finite.
 constexpr double kMinNoise = 1e-9;
 constexpr std::size_t kFlopsPerLine = 600;  // of a window's projection, per line

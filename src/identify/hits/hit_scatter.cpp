@@ -46,7 +46,7 @@ struct ModeScatter {
   Known known;
   ScatterOfHits freq, damping;
   bool freq_differs = false, damping_differs = false;
-  bool points_differ = false;        // by more than the noise, and single hits of the points do not show why
+  bool points_differ = false;        // beyond the noise, and no point has several hits that would show the cause
   double freq_p = 1, damping_p = 1;  // p-values of the differences
   double damping_shift = 0, damping_shift_std = 0;  // by which take_mean() changed the mode
   bool significant() const { return freq_differs || damping_differs; }
@@ -99,7 +99,7 @@ ModeScatter scatter_of_mode(const HitPoles& poles, const std::vector<double>& pe
     const auto repeated = one_point ? std::optional(true) : hits_of_a_point_differ(series, points);
     differs = any && (repeated.value_or(false) || follows_a_law(series, peak_N));
     scatter.points_differ = scatter.points_differ || (any && !repeated);
-    // Two tests: of χ², and of two slopes to both sides.
+    // Corrected for two tests: χ², and the larger of two slopes, each two-sided.
     p_value = std::min(1.0, 2 * std::min(upper_tail(of.deviate), 4 * upper_tail(trend)));
   };
   test(scatter.freq, true, scatter.freq_differs, scatter.freq_p);
@@ -232,8 +232,8 @@ void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const WindowedH
       mode.hit_scatter_damping_p = scatter[m].damping_p;
       series.push_back(scatter[m].series(m, false));
     } else if (scatter[m].damping_shift != 0) {
-      // The mean of the hits' poles may be far less certain than the mode, as in a close pair. The shift itself then
-      // limits what it adds.
+      // The mean of the hits' poles may be far less certain than the mode, as in a close pair. The part of the hits is
+      // therefore at most the shift.
       mode.damping_std_parts.hits = std::min(std::abs(scatter[m].damping_shift), scatter[m].damping_shift_std);
       mode.damping_std = mode.damping_std_parts.total();
     }

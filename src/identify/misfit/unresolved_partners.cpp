@@ -15,8 +15,8 @@ constexpr double kUnresolvedDamping = 0.5;  // relative standard deviation of a 
 
 double relative_damping_std(const Mode& mode) { return mode.damping_std / mode.pole.damping_ratio; }
 
-// All poles except the unresolved ones. A pole is unresolved if the standard deviation of its damping, misfit included,
-// is above kUnresolvedDamping of the damping, and a pole within a half-power bandwidth has a smaller relative one.
+// All poles except the unresolved ones. A pole is unresolved if the relative standard deviation of its damping, misfit
+// included, is above kUnresolvedDamping, and a close pole (are_close) has a smaller one.
 std::vector<Pole> resolved_poles(const FrfDataset& set, const std::vector<FittedMode>& found) {
   std::vector<Mode> modes;
   for (const FittedMode& mode : found) {

@@ -12,8 +12,8 @@
 namespace percuss::identify {
 namespace {
 
-constexpr double kNegligibleAmplitude =
-    1e-10;  // the neglected truncation moves a pole by at most this fraction of its bandwidth, below any noise
+// The neglected truncation moves a pole by at most this fraction of its bandwidth, which is below any noise.
+constexpr double kNegligibleAmplitude = 1e-10;
 
 Eigen::Map<const Eigen::ArrayXcd> array_of(std::span<const Complex> lines) {
   return {lines.data(), static_cast<Eigen::Index>(lines.size())};

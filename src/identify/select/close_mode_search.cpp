@@ -13,13 +13,14 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kSplitGain =
-    0.25;                          // a close mode must reduce the residual energy above the noise to this part or less
-constexpr double kSplitTest = 25;  // F statistic
+// A close mode must reduce the residual energy above the noise to this part or less.
+constexpr double kSplitGain = 0.25;
+constexpr double kSplitTest = 25;    // F statistic
 constexpr double kSplitStart = 0.4;  // half-power bandwidths from the single pole to either start pole
-constexpr double kMisfit = 2;        // residual energy over the noise energy, from which a group is searched …
-constexpr double kMisfitDeviations =
-    6;  // … or this many standard deviations of that energy above the noise, if that is less
+// A group is searched if its residual energy exceeds the lower of two limits: kMisfit times the noise energy, and
+// kMisfitDeviations standard deviations above the noise energy.
+constexpr double kMisfit = 2;
+constexpr double kMisfitDeviations = 6;
 constexpr std::size_t kFlopsPerTrialLine = 1000;  // operations of a trial per line and FRF
 
 // The FRFs whose residual in the group's window is significantly above the noise.

@@ -10,7 +10,7 @@ constexpr double kFixedEvaluations = 8;  // of a fit, in addition to those of it
 
 // About two seconds, and a fifth of a second for each FRF.
 constexpr double kProducts = 1.5e9, kProductsPerFrf = 1.5e8;
-// A survey needs more: where it ended early, it lost clear modes. Single records gained nothing.
+// A survey needs more: where its budget ended early, clear modes were lost. Single records gained nothing from more.
 constexpr std::size_t kSurveyPoints = 3;
 constexpr double kSurveyProducts = 5 * kProducts;
 

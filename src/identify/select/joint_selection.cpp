@@ -27,11 +27,11 @@ constexpr double kModeGain = 150;  // likelihood_ratio_statistic() that a mode n
 // Limits of this gain per unknown. The maximum is the F statistic that a close mode needs, the minimum about the
 // logarithm of the number of lines.
 constexpr double kMaxGain = 25, kMinGain = 8;
-// Of a clear mode. Its gain per unknown is small, because only a few lines around it are independent: with the eight
-// unknowns of three FRFs, noise reaches it once in 10^4.
+// Limits for a clear mode. kClearGain, per unknown, is small, because only a few lines around the mode are independent:
+// with the eight unknowns of three FRFs, noise reaches it once in 10⁴ cases.
 constexpr double kClearSignificance = 2 * kJointSignificance, kClearPeakToResidual = 10, kClearWidths = 1;
 constexpr double kClearGain = 4;
-// Such a gain makes a mode clear beside the misfit of others, which raises the residual at its peak.
+// With a gain above kStrongGain, kStrongPeakToResidual suffices: the misfit of other modes may raise the residual.
 constexpr double kStrongGain = kMaxGain, kStrongPeakToResidual = 5;
 
 // The part of a residual that is rough from line to line: 1 for noise, little for the misfit of a model.
