@@ -15,7 +15,7 @@ bool has_order(const ComparedMode& mode) {
 
 bool states_order(const ComparedMode& mode) { return has_order(mode) && mode.confidence >= kMinOrderConfidence; }
 
-// The lowest frequency of each order, by family.
+// The lowest frequency of each order of one family.
 using Frequencies = std::map<int, double>;
 
 std::map<std::string, Frequencies> stated_orders(const ComparedDocument& document) {

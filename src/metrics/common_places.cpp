@@ -113,7 +113,7 @@ std::map<int, MatchedPoint> by_coordinates(const ComparedDocument& a, const Comp
   return pairs;
 }
 
-// The numbers that people see, with the points; the first point of several with one number.
+// The points by their displayed numbers. If several points have one number, the first.
 std::map<int, int> points_by_number(const ComparedDocument& document, const std::set<int>& points) {
   std::map<int, int> out;
   for (const int point : points) out.try_emplace(number_of(document, point), point);

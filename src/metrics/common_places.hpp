@@ -8,8 +8,8 @@ namespace percuss::metrics {
 
 /// How the points of two documents were matched.
 enum class PlacesMatchedBy {
-  coordinates,  // both documents state those of all points of their shapes
-  numbers,      // that people see: those of the stated geometry or of the files' names, else the record's
+  coordinates,  // both documents state the coordinates of all points of their shapes
+  numbers,      // by the displayed numbers: of the stated geometry or of the file names, otherwise of the record
   sequence      // both have equally many points, numbered without gaps, one from 0 and the other from 1
 };
 /// "coordinates", "numbers" or "sequence".
@@ -25,15 +25,15 @@ struct CommonPlaces {
   PlacesMatchedBy by = PlacesMatchedBy::numbers;
   std::map<int, MatchedPoint> of_b{};      // by the point of the second document
   std::size_t points_a = 0, points_b = 0;  // with values in a shape
-  bool coordinates_differ = false;         // both state coordinates, but numbers pair more points
+  bool coordinates_differ = false;         // both state coordinates, but these pair too few points to be used
 };
 
 /// Matches the points of the shapes of two documents.
 /// By coordinates, points pair that are nearest to each other, and no further apart than 1 % of the largest extent of
 /// the document with fewer points, nor than a quarter of its smallest distance between two places. Points whose stated
 /// directions are not parallel do not pair. Numbers decide if coordinates give fewer than kMinPlaces pairs, or fewer
-/// pairs than the numbers do: the origin of a model may be another. They also decide for more than ten million pairs of
-/// points, whose coordinates are not compared.
+/// pairs than the numbers do: the two documents may have different origins. They also decide for more than ten million
+/// pairs of points, whose coordinates are not compared.
 CommonPlaces common_places(const ComparedDocument& a, const ComparedDocument& b);
 
 /// The second document with the point numbers and directions of the first, without the values at other places.

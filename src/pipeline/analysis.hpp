@@ -83,8 +83,8 @@ class Analysis {
   /// just beyond it (end_past_modes). The margin ends at 1.2 times the bandwidth of the force at the latest, and at
   /// 0.44 of the sampling rate. Reads the responses.
   const acquire::LineRange& lines() const;
-  /// Where the transforms leave out the end of the hits, because no spectral line of the band decays there: the time
-  /// that they use. Nothing where they use all samples, where the user stated a length, and for FRFs that were given.
+  /// The time that the transforms use, if they leave out the end of the hits because no spectral line of the band still
+  /// decays there. Nothing if they use all samples, if the user stated a length, and for FRFs that were given.
   std::optional<DecayCut> decay_cut() const;
   /// Decay rate σ of the exponential window; 0 without a window.
   double window_decay_per_s() const;

@@ -17,7 +17,7 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr int kDriftPasses = 2;  // the first residues are those of the drifting modes
+constexpr int kDriftPasses = 2;  // the first pass uses residues of FRFs that still hold the drift
 
 std::vector<Tone> joined(std::vector<Tone> tones, const std::vector<Tone>& more) {
   tones.insert(tones.end(), more.begin(), more.end());
@@ -26,8 +26,9 @@ std::vector<Tone> joined(std::vector<Tone> tones, const std::vector<Tone>& more)
 
 }  // namespace
 
-// Leaves out the stated number of modes, which limits the modes within the band but not those of its margin, and the
-// stated frequencies: modes that none of them names must take part in the fit, so that they do not falsify the others.
+// The options of a fit that finds all modes. They leave out the stated number of modes, which limits the modes within
+// the band, but not the modes of its margin. They also leave out the stated frequencies: modes that no frequency names
+// must take part in the fit, because the other modes would be biased without them.
 identify::IdentifyOptions Analysis::all_modes() const { return {.effort = options_.modes.effort}; }
 
 void Analysis::add_started_modes(std::vector<identify::Mode>& found) const {

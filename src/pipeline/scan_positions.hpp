@@ -13,7 +13,7 @@ struct ScanPositions {
   double start_m = 0, step_m = 0;
   std::size_t count = 0;
   std::vector<double> listed_m{};  // [count]; empty: evenly spaced
-  /// The position of each stated entry, where a list repeats positions: hits of one position. Empty: none is repeated.
+  /// The index of the position of each stated entry, if the list repeats a position for several hits; otherwise empty.
   std::vector<std::size_t> places{};
   double at_m(std::size_t i) const {
     return listed_m.empty() ? start_m + static_cast<double>(i) * step_m : listed_m[i];
@@ -39,8 +39,8 @@ ScanPositions positions_of_geometry(const std::vector<std::vector<double>>& geom
 /// The record with one point per position. A record of one point needs as many rows as stated positions, or a multiple
 /// of them. Its rows are assigned to the positions in order, and a note says so unless positions are repeated.
 /// `points_are_files`: each point is a file. Files whose positions are equal become one point; other points may not
-/// have equal positions. errors  InputError: another number of points than stated positions; two points at one
-/// position.
+/// have equal positions.
+/// errors  InputError: another number of points than stated positions; two points at one position.
 acquire::Record as_scan(acquire::Record record, const ScanPositions& positions, bool points_are_files = false);
 
 }  // namespace percuss::pipeline

@@ -49,8 +49,8 @@ double significance(const LocalFit& fit, std::size_t mode) {
   return best;
 }
 
-// True for a mode of a close pair whose residual is only noise. The other mode can replace most of its residue, so the
-// residue is uncertain. The number of modes is more certain.
+// True for a mode of a close pair whose residual is only noise. The other mode can take over most of its residue, so
+// the residue is uncertain, but the number of modes is not.
 bool is_resolved_pair(const WindowedFit& all, const FitGroup& group, std::size_t mode) {
   const Pole& pole = group.fit.poles[mode];
   const auto beside = [&](const Pole& other) {

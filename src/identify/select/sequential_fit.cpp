@@ -55,8 +55,8 @@ class SequentialFit {
     fit_.sweep();
   }
 
-  // One sweep fits each group beside the errors of the others. These still bias a group whose wide window holds other
-  // modes.
+  // A sweep fits each group while the other groups still have errors. These errors bias a group whose wide window
+  // contains modes of other groups, so the sweeps are repeated until the poles stay.
   void settle() {
     for (int sweep = 0; sweep < kMaxSettlingSweeps; ++sweep) {
       const std::vector<Pole> before = fit_.poles();
@@ -146,7 +146,8 @@ class SequentialFit {
     return Outcome::unchanged;
   }
 
-  // After the last change: a mode that survives only because another may still be found is dropped as well.
+  // Called after the last change of the search. Also drops modes that were kept only because the search might still
+  // find another mode beside them.
   void drop_until_accepted() {
     context_.search_finished = true;
     while (drop_insignificant() == Outcome::changed) fit_.sweep();

@@ -13,7 +13,8 @@ namespace percuss::identify {
 std::optional<JointFit> settled_fit(const FrfDataset& set, std::vector<Pole> poles, JointFitBudget& budget,
                                     int final_fits = 1, const std::vector<Pole>& held = {});
 
-/// The same modes with real residues where the data allow it; `fit` itself where that fit does not converge.
+/// Fits the same modes again, with real residues where the data allow it. Returns `fit` if the new fit does not
+/// converge.
 JointFit with_tested_residues(const FrfDataset& set, const JointFit& fit, const std::vector<Pole>& held = {});
 
 }  // namespace percuss::identify

@@ -67,7 +67,7 @@ Complex turn_of(const std::vector<ShapePlace>& places);
 /// theory (5.1), (5.2), (5.3)
 ModeShape shape_of(const Mode& mode, const ShapeOptions& options = {});
 
-/// What the rank-one fit of a roving hammer's residues leaves.
+/// The residual of the rank-one fit to the residues of a roving-hammer test.
 struct RankOneResidual {
   double chi2 = 0;     // Σ |A_pc − φ_p φ_c|²/σ_pc², without the gain that is common to a point's residues
   double freedom = 0;  // real degrees of freedom: 2 (points − 1)(channels − 1), less those of missing residues

@@ -137,8 +137,9 @@ struct LocalScatter {
   double student = 1;   // factor of standard deviations, where `variance` is estimated from few points
 };
 
-// χ² per degree of freedom of the highest degree. The window grows from the crossing, until the next point contradicts
-// the polynomial: the shape leaves it there, and the points scatter no more than before.
+// The scatter from χ² per degree of freedom of the highest-degree fit. The window grows from the crossing until the
+// next point contradicts the polynomial. That point does not count: it shows that the shape departs from the
+// polynomial, not that the points scatter more.
 LocalScatter local_scatter(const LocalFits& fits) {
   constexpr std::size_t kMinDegreesOfFreedom = 3;
   constexpr double kContradicts = 2.6;  // normal deviates: once in 100 cases
@@ -188,8 +189,8 @@ std::optional<ChosenFit> choose_fit(const LocalFits& fits, double variance) {
   return best;
 }
 
-// The larger distance to the roots of the next degree (the next lower one where there is none) and of two points less;
-// nothing where neither has a root.
+// The larger of two distances to the chosen root: of the root of the next higher degree (else of the next lower one),
+// and of the root with two points less (else with one less). Nothing where none of them has a root.
 std::optional<double> model_error_u(const LocalFits& fits, const ChosenFit& chosen) {
   const double root_u = *fits.at(chosen.points, chosen.degree).root_u;
   const PolynomialFit* degree = fits.crossing(chosen.points, chosen.degree + 1);

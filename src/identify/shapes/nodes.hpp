@@ -25,14 +25,20 @@ struct NodeOptions {
 /// The nodes: zero crossings of the shape. A crossing lies between two points of opposite sign, both more than three
 /// standard deviations from zero; points between them are closer to zero than that. The node is the root of a
 /// polynomial in the position, fitted by weighted least squares to the n points nearest to the crossing, four or more.
-/// Its degree k and n minimise χ²/s² + (k + N − n) ln N for N points at most: a point that is left out counts as a
-/// coefficient. s² is χ² per degree of freedom of the highest degree, at least 1, and the largest while n grows from
-/// three degrees of freedom, until a point contradicts the polynomial (once in 100 cases). So a scan with more nodes
-/// than a polynomial follows is fitted around each node. The variance is a sum of two terms. The first is the variance
-/// of the next higher degree's root, times the larger of s² and its own χ² per degree of freedom, and times Student's
-/// factor where the points scatter beyond their standard deviations. The second is the model error: the larger squared
-/// distance to the root of that degree, and to the root with two points less. Where there is no root of the next higher
-/// degree, the first term is the fit's own variance, and the next lower degree gives the distance. theory (5.8)
+/// The degree k and the number n minimise χ²/s² + (k + N − n) ln N, where N is the number of points at most. A point
+/// that is left out counts as a coefficient.
+/// s² is χ² per degree of freedom of the fit of the highest degree, at least 1. n grows from three degrees of freedom
+/// until a point contradicts the polynomial (once in 100 cases); s² is the largest value on the way. A scan may have
+/// more nodes than one polynomial can follow, so each node is fitted on its own.
+/// The variance of the position is a sum of two terms:
+///   root         the variance of the root of the next higher degree, times the larger of s² and the χ² per degree of
+///                freedom of its fit. If the points scatter beyond their standard deviations, the standard deviation is
+///                also multiplied by Student's factor.
+///   model error  the larger squared distance to the root of the next higher degree and to the root with two points
+///                less
+/// Where the next higher degree has no root, the first term is the variance of the fit itself, and the next lower
+/// degree gives the distance.
+/// theory (5.8)
 std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options = {});
 
 /// The node by the rule of thumb of [8], section 3.6: the position of the minimum of the mode's peak, rounded to

@@ -277,7 +277,8 @@ Mode with_residues(const Mode& mode, const ResidueMatrix& at, const MatrixXcd& v
   return out;
 }
 
-// Adds to the ± what the one pole cannot know of the two.
+// Adds a frequency error of `split_Hz`, and the damping error that belongs to it, to the standard deviations: one pole
+// does not resolve the two modes.
 void add_split(Mode& mode, double split_Hz) {
   const auto widen = [](double& std, double& noise, double more) {
     noise = std::hypot(noise, more);
@@ -308,7 +309,7 @@ RepeatedPair resolved(const LinearisedFit& fit, const ResidueMatrix& residues, c
     Mode& one = *modes[r];
     one = with_residues(mode, residues, found.residues[r], std);
     one.pole = fit.shifted(found.shift_Hz[r]);
-    // The split explains what moved the one pole between the points and from hit to hit.
+    // The split explains the scatter of the single pole's frequency between the points and between the hits.
     const double split_Hz = found.shift_Hz[1].real() - found.shift_Hz[0].real();
     if (one.freq_scatter_Hz < split_Hz) one.freq_scatter_Hz = 0;
     one.joint_misfit = 0;

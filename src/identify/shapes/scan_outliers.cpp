@@ -23,9 +23,9 @@ constexpr double kMinRelative = 0.1;  // of the largest amplitude near the point
 constexpr double kSameShape = 0.9;    // MAC
 constexpr std::size_t kWindowPoints = 13;
 constexpr double kMedianToStd = 1.4826;  // of |x| for Gaussian errors
-constexpr double kNearPlace = 0.25;      // of the deviation that a position leaves if the amplitudes fit it
+constexpr double kNearPlace = 0.25;      // largest deviation at a position that fits, over that at the stated position
 
-// The modes along the scan: amplitudes and standard deviations by the noise, of points and of hits.
+// The modes along the scan: the amplitudes of the points, and their standard deviations from the noise.
 struct ScanTable {
   std::vector<double> position_m;
   MatrixXd value, std;                           // [points, modes]
@@ -84,7 +84,7 @@ std::vector<std::size_t> window_around(const std::vector<double>& position_m, st
   return nearest;
 }
 
-// The prediction of a point without it and without `other`, an index into the window.
+// The prediction of a point from the other points of the window, without `other` if it is given.
 std::optional<PredictedPoint> predicted_without(const ScanTable& table, const std::vector<std::size_t>& window,
                                                 const VectorXd& largest, std::size_t point,
                                                 std::optional<std::size_t> other) {
@@ -110,8 +110,8 @@ struct PointAgainstCurves {
   PredictedPoint predicted;
 };
 
-// The variance of one hit about the mean of its point for each mode, typical of the window; 0 with one hit each. The
-// median does not feel a few wrong hits.
+// For each mode, the typical variance of one hit about the mean of its point, over the window; 0 if each point has one
+// hit. It comes from a median, because a few wrong hits hardly change it.
 VectorXd variance_of_hits(std::span<const HitsAlongScan> modes, const std::vector<std::size_t>& window,
                           const VectorXd& largest) {
   VectorXd variance = VectorXd::Zero(largest.size());

@@ -25,8 +25,8 @@ struct StabilisationPole {
 };
 
 /// The stabilisation diagram: the poles of every model order, by ascending order, then frequency. Reports show the
-/// diagram of the whole band. stable_poles() takes its poles from diagrams of sections of the band. source  [11] in
-/// docs/theory/sources.md.
+/// diagram of the whole band. stable_poles() takes its poles from diagrams of sections of the band.
+/// source  [11] in docs/theory/sources.md.
 struct Stabilisation {
   double low_Hz = 0, high_Hz = 0;  // the range of the spectral lines used
   std::vector<StabilisationPole> poles;

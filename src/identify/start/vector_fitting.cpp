@@ -25,7 +25,7 @@ constexpr double kMinNoise = 1e-6;          // of an FRF's largest line
 constexpr double kConstraintWeight = 1e-3;  // of the row that excludes σ = 0, relative to the other rows
 constexpr std::size_t kBlocksPerPole = 4;
 constexpr double kMaxStartDamping = 0.45;
-constexpr double kMinNoiseScale = 1e-150;  // of a noise
+constexpr double kMinNoiseScale = 1e-150;  // lower limit of a noise, so that its inverse stays finite
 
 // Averages over blocks of lines. Frequencies are divided by the highest one, so that powers of s stay near 1.
 struct AveragedLines {

@@ -38,7 +38,7 @@ constexpr std::size_t kHumLines = 32;   // faster hum hardly changes the means o
 constexpr std::size_t kLinesAtOnce = 8;
 constexpr std::size_t kRotations = 256;      // from one sine and cosine: they keep 13 digits
 constexpr std::size_t kMaxSummed = 1 << 14;  // longer rests are faster transformed
-constexpr double kLobe = 4;                  // the power of a line is no larger than that beside it by more than this
+constexpr double kLobe = 4;                  // largest ratio of the powers of neighbouring lines of two grids
 constexpr double kKnotRatio = 1.1;           // of the times at which a standard deviation is computed
 
 std::vector<double> hann_windowed(std::span<const double> x) {
@@ -109,9 +109,9 @@ bool has_hum(std::span<const double> residual) {
   return power[line] > kHum * median(beside);
 }
 
-// The frequency of the strongest line of the deflection that is no noise; the slowest motion to expect. A transform of
-// the length that the integration has planned shows which lines to look at: the main lobe of the window is four lines
-// wide, so the power changes little to the next line of this finer grid.
+// The frequency of the strongest line of the deflection that is not noise: the slowest motion to expect. A padded
+// transform, of a length that the integration has planned already, shows which lines to compute. The main lobe of the
+// window is four lines wide, so the power at a line is at most kLobe times that of its neighbour on this finer grid.
 std::optional<double> strongest_motion_Hz(std::span<const double> accel, double fs_Hz, double white, double flicker) {
   const std::vector<double> windowed = hann_windowed(accel);
   const auto n = static_cast<double>(accel.size());

@@ -19,8 +19,8 @@ constexpr std::size_t kRinging = 32;   // longest ringing of an anti-alias filte
 constexpr double kMethodError = 1e-6;  // of the largest deflection: error by rounding and by the filter's first ringing
 constexpr double kOnsetNoise = 8;      // standard deviations of the noise that a motion must exceed …
 constexpr double kOnsetLevel = 1e-3;   // … and the part of the largest acceleration
-constexpr double kGlitch = 0.01;       // of the largest acceleration: a weaker motion …
-constexpr std::ptrdiff_t kQuietAfterGlitch = 64;  // … that so many samples at rest follow is no impact
+constexpr double kGlitch = 0.01;       // of the largest acceleration: a weaker motion is no impact …
+constexpr std::ptrdiff_t kQuietAfterGlitch = 64;  // … if this many samples at rest follow it
 constexpr double kLowestShare = 0.5;              // default lowest frequency over the frequency of the strongest line
 
 double largest_magnitude(std::span<const double> x) { return extremes_of(x).max_distance_from(0); }
@@ -85,7 +85,7 @@ std::optional<DriftFree> drift_free_of_flicker(const ImpactSignal& signal, const
   if (signal.flicker_strength && !(*signal.flicker_strength > 0)) return std::nullopt;
   const BaselineNoise noise = noise_of(integrated, signal.fs_Hz, options.highpass_corner_Hz);
   const double strength = signal.flicker_strength ? *signal.flicker_strength : flicker_strength(noise.log_gains());
-  // Where late means agree with white noise alone, but not with these windows, white noise is kept.
+  // If the structure returns to rest under white noise alone (`held`) but not under 1/f noise, white noise is kept.
   if (!(strength > 0) || (held && !noise.returns_to_rest())) return std::nullopt;
   auto error = noise.error_at(strength);
   if (!error) return std::nullopt;

@@ -14,8 +14,8 @@ struct ImpactOnset {
 /// extreme follow
 ///   x(t) = c (t − t₀)^p (1 + b u + d u²),   u = (t − t₀)/(t₁ − t₀),   0.5 ≤ p ≤ 2.5      (1)
 /// with t₁ the time of the last of them, and b and d near zero (standard deviations 0.3 and 0.2). The time is the mean
-/// of t₀ over all powers and coefficients, each with its probability; the standard deviation includes how little the
-/// samples tell of p.
+/// of t₀ over all powers and coefficients, each with its probability; the standard deviation includes the uncertainty
+/// of p.
 /// Where the samples leap beyond a quarter of the extreme, the onset lies anywhere between two samples. Samples before
 /// the rise that swing to the other side show an anti-alias filter: half of the swing then counts as noise, and half a
 /// sample as part of the standard deviation.

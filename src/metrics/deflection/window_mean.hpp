@@ -27,8 +27,8 @@ struct ParabolaResidual {
 };
 ParabolaResidual parabola_residual(std::span<const double> w, double from, double to);
 
-/// A bound of what a Hann window over so many cycles (more than 1) passes of an oscillation of this amplitude: twice
-/// the envelope of the window's transform, because amplitude and phase of the oscillation are only estimated.
+/// An upper bound of the mean of an oscillation of this amplitude over a Hann window of `cycles` cycles (more than 1):
+/// twice the envelope of the window's transform, because amplitude and phase of the oscillation are only estimated.
 double hann_leakage_m(double amplitude_m, double cycles);
 
 }  // namespace percuss::metrics

@@ -19,15 +19,16 @@ struct LabReadings {
 struct ReadingsRow {
   std::string place;  // for messages
   std::string id;
-  std::map<std::string, std::string> properties;  // words, and frequencies: for a study
+  std::map<std::string, std::string> properties;  // texts and frequencies, passed on to a study
   LabReadings readings;
 };
 
 /// Reads a table of bats (docs/schema/metrics-table.schema.json, or the same as CSV): "id", the readings under the
 /// names of the options of percuss metrics, and the words and frequencies of a study's table. A cell without a value
 /// takes the value of `common`, unless the row holds an alternative: moment of inertia, period or gate times; BESR,
-/// BBCOR or rebound speed. errors  InputError with the line: another document, an unknown column, an impossible
-/// value, a row without an id, one id in two rows, more than 2000 rows.
+/// BBCOR or rebound speed.
+/// errors  InputError with the line: another document, an unknown column, an impossible value, a row without an id, one
+/// id in two rows, more than 2000 rows.
 std::vector<ReadingsRow> parse_readings_table(std::string_view text, const std::string& where,
                                               const LabReadings& common = {});
 

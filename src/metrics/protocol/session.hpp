@@ -31,7 +31,7 @@ struct SessionBat {
   double length_in = 0;
   std::optional<double> moi_ozin2, weight_oz;
   double days_in_lab = 0;
-  std::string material, condition, program;  // for a population: as in its table
+  std::string material, condition, program;  // as in the table of a study
 };
 
 /// The balls of one lot, and their hits on the standard bat.

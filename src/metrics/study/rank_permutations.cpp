@@ -13,7 +13,7 @@
 namespace percuss::metrics {
 namespace {
 
-constexpr std::size_t kGrid = 8192;      // values of a convolution of different classes
+constexpr std::size_t kGrid = 8192;      // grid values of a convolution of classes of different sizes
 constexpr double kProductSlack = 1e-10;  // of a product, for rounding
 
 double scale_of(std::size_t bats) {
@@ -113,7 +113,7 @@ LatticeDistribution distribution_of(const RankedClass& one) {
               untied(x) && untied(y) ? untied_distribution(one.x.size()) : product_distribution(x.value, y.value)};
 }
 
-// The same on a coarser or finer unit: values move by at most half of it.
+// The distribution on a coarser or finer unit: values move by at most half of it.
 LatticeDistribution on_unit(const LatticeDistribution& d, double unit) {
   const auto at = [&](std::size_t i) {
     return static_cast<std::size_t>(std::llround(static_cast<double>(i) * d.unit / unit));

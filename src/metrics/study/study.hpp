@@ -104,7 +104,8 @@ struct Study {
 
 /// Computes every figure with at least one bat, its statistics, and every statement. The main program is "besr" where
 /// it has bats, else the program with the most bats: [8] states its relations for bats of one program, and shows the
-/// others apart. errors  InputError: a program without bats.
+/// others apart.
+/// errors  InputError: a program without bats.
 Study study_of(std::vector<StudyBat> bats, const StudyOptions& options = {});
 
 }  // namespace percuss::metrics

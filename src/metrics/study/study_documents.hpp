@@ -15,7 +15,8 @@ namespace percuss::metrics {
 ///   percuss/certify/1    the bat, and the metrics at its best location once the session has ended
 ///   percuss/abi/1        a state per performance test: performance, location and hoop frequency. The first has the id
 ///                        of the bat unless its test states one; later ones have the condition "abi"
-/// None for another text. errors  InputError: a document without the id of its bat, several analyses in one document.
+/// None for another text.
+/// errors  InputError: a document without the id of its bat, several analyses in one document.
 std::optional<std::vector<BatProperties>> states_in_document(std::string_view text, const std::string& where);
 
 /// Columns of a table of percuss metrics that a study does not use.

@@ -13,8 +13,8 @@ struct DelayCorrection {
   std::vector<double> delay_s;  // after the force: one for all channels or one per channel; empty: none
 };
 
-/// The user's delays, one per channel or one for all; none for an empty list. errors  InputError: another number of
-/// delays, or one that is longer than a row.
+/// The user's delays, one per channel or one for all; none for an empty list.
+/// errors  InputError: another number of delays, or one that is longer than a row.
 std::vector<ChannelDelay> stated_delays(const std::vector<double>& delay_s, const acquire::Record& record);
 
 /// The record with every acceleration channel moved to earlier times by its delay, interpolated between samples. Exact

@@ -30,8 +30,8 @@ std::vector<double> phases_after(std::span<const ModePhase> phases, double delay
   return left;
 }
 
-// The standard deviation of a delay from the noise of the force alone. The phases of the modes have this noise in
-// common: nearly as of one shift in time, so that more modes hardly reduce it.
+// The standard deviation of a delay from the noise of the force alone. This noise moves the phases of all modes nearly
+// like one shift in time, so that more modes hardly reduce it.
 double force_std_s(std::span<const ModePhase> phases) {
   std::vector<double> shift_s(phases.front().force_rad.size());
   double weights = 0;

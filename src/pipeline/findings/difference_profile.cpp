@@ -102,7 +102,7 @@ std::vector<std::size_t> outstanding_samples(const DifferenceProfile& profile, s
     const std::size_t to = std::min(blocks, b + kBlocksAround + 1);
     const auto first = profile.rms.begin() + static_cast<std::ptrdiff_t>(from);
     const auto end = profile.rms.begin() + static_cast<std::ptrdiff_t>(to);
-    // The least is below the median; few blocks need the median.
+    // The minimum is not above the median, so few blocks need the median.
     if (profile.largest[b] <= std::max(least, kOutstanding * *std::min_element(first, end))) continue;
     const double around = median({first, end});
     if (profile.largest[b] > kOutstanding * around && around > 0)

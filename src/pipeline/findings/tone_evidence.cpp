@@ -105,7 +105,7 @@ bool wanders_between_segments(std::span<const ToneSignal> signals, double turns)
     below += both(turns - apart);
     above += both(turns + apart);
   }
-  // A mode beside the tone is no noise.
+  // The smaller of the two sides is the noise: on the other side there may be a mode.
   return change > kMaxWander * power + kWanderNoise * std::min(below, above);
 }
 

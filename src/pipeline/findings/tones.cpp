@@ -123,7 +123,7 @@ void add_mains(ToneFit& fit, std::span<const ToneSignal> signals, const std::vec
   const auto add_harmonic = [&](double order) {
     const double turns = order * *base;
     add_tone(out, signals, amplitudes_of(signals, window, turns), turns, fs_Hz);
-    // Those of steady mains are steady: what changes from half to half may be a mode nearby that still rings.
+    // Harmonics of steady mains are steady. A change from half to half may come from a mode nearby that still rings.
     Tone& tone = out.tones.back();
     if (tone.wanders && order > 1 && steady) tone.wanders = wanders_between_segments(signals, turns);
   };

@@ -164,8 +164,9 @@ std::vector<double> candidates_for_tones(const std::vector<HitResponse>& respons
   return all;
 }
 
-// Searches the first hit for tones, and all hits if it has some. Subtracts the tones from the samples of all hits. Hits
-// with corrected samples are searched in these alone: inserted samples would move those after them.
+// Searches the first hit for tones, and all hits if it has some. Subtracts the tones from the samples of all hits. If
+// any hit has corrected samples, the search ends with these in all hits: inserted samples shift the samples after them,
+// so that the record does not continue the corrected samples.
 // returns  [used hits × channels] the amplitude of the tones that wander and thus remain; empty without tones.
 std::vector<double> remove_tones(HitResponses& responses, std::vector<Samples>& corrected,
                                  const acquire::Record& record, const std::vector<AnalysedHit>& hits,
@@ -207,7 +208,7 @@ std::vector<double> remove_tones(HitResponses& responses, std::vector<Samples>& 
   return remaining;
 }
 
-// A response is at rest before its hit if what moves there is no more than the tones that remain.
+// A response is at rest before its hit if its motion there is not larger than the tones that remain.
 void judge_rest_without_tones(acquire::ResponseGrade& grade, const acquire::Hit& hit, std::span<const double> accel,
                               double tones_mps2) {
   const std::size_t quiet = hit.gate_first > hit.first ? hit.gate_first - hit.first : 0;

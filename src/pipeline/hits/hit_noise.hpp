@@ -15,10 +15,11 @@ namespace percuss::pipeline {
 std::set<std::size_t> hits_that_differ_by_noise(const std::vector<AnalysedHit>& hits, const HitResponses& responses,
                                                 const TransformOptions& options);
 
-/// [indices of hits] the accepted hits with the finding `low_coherence` that excite little at the place of their point,
-/// as on the node line of a strong mode, where a hit beside its place excites this mode with either sign. The part of
-/// their responses that the other hits do not explain has at most 2 % of the energy that the upper quartile of the
-/// accepted hits excites, each relative to the square of the force's peak. Such a part changes no other point's modes.
+/// [indices of hits] the accepted hits with the finding `low_coherence` that excite little, because their point lies on
+/// the node line of a strong mode. Hits slightly beside the point excite this mode with either sign, so they disagree.
+/// The part of their responses that the other hits do not explain has at most 2 % of the energy that the upper quartile
+/// of the accepted hits excites, each relative to the square of the force's peak. Such a part does not change the modes
+/// at other points.
 std::set<std::size_t> hits_on_node_lines(const std::vector<AnalysedHit>& hits, const HitResponses& responses);
 
 }  // namespace percuss::pipeline

@@ -24,8 +24,8 @@ struct TransformOptions {
   acquire::LineRange lines;
   double window_decay_per_s = 0;
   std::size_t threads = 0;
-  // Samples of each response in which tones are searched, more than the lines have where a decay was cut: only the
-  // tones are left at their end. 0: those of the lines.
+  // Samples of each response in which tones are searched. If a decay was cut, they are more than the samples of the
+  // lines, because only the tones are left after the decay. 0: the samples of the lines.
   std::size_t tone_samples = 0;
 };
 

@@ -73,7 +73,7 @@ BlowReason ringing(const BlowCircumstances& at) {
   return {RowMark::still_ringing, "the structure was still ringing", "wait until it is still"};
 }
 
-// A recorder's filter takes the highest frequencies, whatever the tip.
+// A recorder's filter removes the highest frequencies, whatever the tip.
 std::string band_remedy(const BlowContext& context) {
   const double end_Hz = context.options.band_Hz->second;
   if (context.channels.description.fs_Hz < kRateOverBand * end_Hz)

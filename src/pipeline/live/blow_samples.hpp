@@ -27,7 +27,8 @@ acquire::Record record_of_blow(const acquire::Record& description, const BlowSam
 std::optional<std::size_t> decayed_samples(const acquire::Record& description, const BlowSamples& samples,
                                            std::size_t pretrigger);
 
-/// The largest hit of a record of one row. errors  as acquire::find_hits
+/// The largest hit of a record of one row.
+/// errors  as acquire::find_hits
 acquire::Hit largest_hit(const acquire::Record& record, std::size_t pretrigger);
 
 }  // namespace percuss::pipeline

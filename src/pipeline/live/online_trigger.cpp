@@ -141,8 +141,8 @@ void OnlineTrigger::measure_noise(std::size_t samples) {
   noise_N_ = std::max(median(std::move(robust)), root_of_smaller_half(std::move(variances)));
 }
 
-// From quarter to quarter of the steps, in N per frame. A drift goes one way for the whole second; a push does not, and
-// the smallest of the three changes is free of it.
+// The drift in N per frame, from the three changes between the quarters of the steps. A drift goes one way for the
+// whole second. A push does not, so the smallest of the three changes is free of it.
 void OnlineTrigger::measure_drift(const std::vector<double>& medians_N) {
   drift_N_ = 0;
   const std::size_t quarter = medians_N.size() / 4;

@@ -30,7 +30,8 @@ struct SessionEvent {
   bool operator==(const SessionEvent&) const = default;
 };
 
-/// One line of JSON, and back. errors  InputError at `where`: not such an event.
+/// One line of JSON, and back.
+/// errors  InputError at `where`: not such an event.
 std::string json_of(const SessionEvent& event);
 SessionEvent parse_session_event(const std::string& json, const std::string& where);
 

@@ -27,7 +27,7 @@ constexpr double kMinDefaultLines = 1.5;                    // lower end of the 
 constexpr double kMinLengthShare = 0.5;                     // of the median length
 constexpr double kBlow_s = 0.005;                           // after the onset: the force may still act
 constexpr std::size_t kMaxSamples = std::size_t{1} << 18U;  // of a transform
-constexpr int kMaxAttempts = 3;                             // fits, each without the disturbances of the one before
+constexpr int kMaxAttempts = 3;                             // fits; each leaves out the disturbances the last one shows
 
 std::vector<ResponseHit> graded(const acquire::Record& record, const AnalysisOptions& options) {
   std::vector<ResponseHit> hits;
@@ -177,9 +177,9 @@ std::pair<double, double> band_of(const ResponseTest& test, std::size_t samples)
   return band;
 }
 
-// The decays within the band, and those beyond it. The spectrum of a truncated decay falls with the distance from its
-// frequency only, and is no noise: without the strong decays beyond the band, their skirts would be fitted by false
-// ones within it, and the motion would seem to begin late.
+// The decays within the band, and the decays beyond it. The spectrum of a truncated decay has wide skirts: it falls
+// only as the inverse of the distance from its frequency. If the strong decays beyond the band were not fitted, false
+// decays within the band would fit their skirts, and the free motion would seem to begin late.
 identify::StartedFit fit_decays(const ResponseTest& test, const identify::FreeDecays& whole, std::size_t safe) {
   identify::FreeDecayOptions options{
       .band_Hz = test.band_Hz, .start_Hz = test.options.modes.start_Hz, .search = test.options.modes.start_Hz.empty()};
@@ -187,7 +187,7 @@ identify::StartedFit fit_decays(const ResponseTest& test, const identify::FreeDe
   if (options.search && (all.first < test.band_Hz.first || all.second > test.band_Hz.second)) {
     options.band_Hz = {std::min(all.first, test.band_Hz.first), std::max(all.second, test.band_Hz.second)};
     identify::StartedFit wide = identify::fit_from_earliest_start(whole, safe, options);
-    // What lies beyond the band may be no sum of decays: then only the band is left.
+    // The motion beyond the band may not be a sum of decays. Then only the band is fitted.
     if (wide.fit.complete) return wide;
     options.band_Hz = test.band_Hz;
   }

@@ -23,7 +23,7 @@ double end_past_modes(double end_Hz, std::pair<double, double> band_Hz, const ac
 double furthest_end_Hz(double end_Hz, std::pair<double, double> band_Hz);
 
 /// [lines.count] squared magnitude of the FRFs of a few accepted hits, of different points where there are several.
-/// Where the force is 20 dB below its largest line, it counts as that strong.
+/// A force more than 20 dB below its largest line counts as 20 dB below it.
 std::vector<double> response_power(const std::vector<AnalysedHit>& hits, const HitResponses& responses,
                                    const TransformOptions& options);
 
