@@ -10,7 +10,7 @@
 #include "identify/select/joint_growth.hpp"
 #include "identify/select/joint_refinement.hpp"
 #include "identify/select/joint_selection.hpp"
-#include "identify/select/repeated_modes.hpp"
+#include "identify/select/poles_in_both_halves.hpp"
 #include "identify/select/settled_fit.hpp"
 #include "identify/start/candidates.hpp"
 #include "identify/start/residual_smoothness.hpp"
@@ -114,9 +114,9 @@ std::optional<JointFit> without_scatter_partners(const FrfDataset& set, const st
   return with_tested_residues(set, *fewer, held);
 }
 
-// The fit without modes that the halves of the points do not repeat. If the fit of the remaining poles does not settle,
+// The fit without modes that only one half of the points shows. If the fit of the remaining poles does not settle,
 // they are tested again: with still fewer modes it may settle.
-JointFit with_repeated_modes(const FrfDataset& set, JointFit fit) {
+JointFit with_modes_of_both_halves(const FrfDataset& set, JointFit fit) {
   JointFitBudget budget(set);
   std::vector<Pole> poles = fit.poles;
   for (int round = 0; round < kHalvesRounds; ++round) {
@@ -139,7 +139,7 @@ void search_jointly(const FrfDataset& set, const std::vector<VectorXcd>& residua
   std::optional<JointFit> fit = best_joint_fit(shared, before, modes);
   if (fit) fit = without_scatter_partners(shared, modes, *std::move(fit));
   if (!fit) return;
-  if (set.points.size() >= kMinDividedPoints) fit = with_repeated_modes(shared, *std::move(fit));
+  if (set.points.size() >= kMinDividedPoints) fit = with_modes_of_both_halves(shared, *std::move(fit));
   const std::size_t unknowns = unknowns_of(set, modes), after = fit->poles.size() * unknowns_per_mode(set);
   const std::vector<Pole> known = poles_of(modes);
   const double least = min_gain_beside(set, after > unknowns ? after - unknowns : unknowns_per_mode(set),

@@ -1,4 +1,4 @@
-#include "identify/select/repeated_modes.hpp"
+#include "identify/select/poles_in_both_halves.hpp"
 
 #include <algorithm>
 #include <array>

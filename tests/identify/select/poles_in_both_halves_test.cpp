@@ -1,4 +1,4 @@
-#include "identify/select/repeated_modes.hpp"
+#include "identify/select/poles_in_both_halves.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "support/modal_frfs.hpp"
 
-namespace percuss::identify::repeated_modes_test {
+namespace percuss::identify::poles_in_both_halves_test {
 
 constexpr std::size_t kPoints = 10;
 constexpr double kNoise = 1e-3;  // the peaks are 50 and 100 times the shape
@@ -60,4 +60,4 @@ TEST(PolesInBothHalves, HoldAModeThatEverySecondPointHardlyShows) {
   EXPECT_EQ(poles_in_both_halves(set, poles).size(), poles.size());
 }
 
-}  // namespace percuss::identify::repeated_modes_test
+}  // namespace percuss::identify::poles_in_both_halves_test
