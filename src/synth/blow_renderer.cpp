@@ -89,7 +89,6 @@ BlowRenderer::Active BlowRenderer::active_of(std::size_t number) const {
   double longest_s = 0;
   for (const SynthPole& pole : poles_)
     longest_s = std::max(longest_s, kBlowDecayExponent / (2 * std::numbers::pi * pole.freq_Hz * pole.damping_ratio));
-  out.first_frame = out.pulses.front().onset_s * spec.fs_Hz - kFilterHalfWidth - 1;
   out.last_frame = (out.pulses.back().onset_s + width_s + longest_s) * spec.fs_Hz + kFilterHalfWidth + 1;
   return out;
 }

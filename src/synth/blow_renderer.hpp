@@ -27,7 +27,7 @@ class BlowRenderer {
   struct Active {
     std::size_t point = 0;
     std::vector<Pulse> pulses;  // times from the first frame of the session
-    double first_frame = 0, last_frame = 0;
+    double last_frame = 0;
   };
   void activate(double last_frame);
   Active active_of(std::size_t blow) const;

@@ -86,7 +86,7 @@ class Assignments {
     return order < compared_ ? sum / total_ : 0.5;
   }
   // The probability, if the order is bending, that its true number is Order::number plus `offset`.
-  double counts(std::size_t order, int offset) const {
+  double probability_of_offset(std::size_t order, int offset) const {
     double sum = 0;
     for (const auto& [one, weight] : by_offset_[order]) sum += weight;
     const auto found = by_offset_[order].find(offset);
@@ -185,7 +185,8 @@ void allow_three_waves(const std::vector<Mode>& modes, std::vector<ModeClassific
       ModeClassification& type = classifications[m];
       type.confidence *= bending;
       type.possible_three_waves = 1 - bending > kMinRival;
-      type.order_uncertain = stays && assignments.counts(i, -static_cast<int>(left_out_Hz.size())) < kSureOrder;
+      type.order_uncertain =
+          stays && assignments.probability_of_offset(i, -static_cast<int>(left_out_Hz.size())) < kSureOrder;
       if (!stays) {
         make_unknown(type);
       } else if (type.confidence < kKnownConfidence && !type.alternative) {

@@ -17,9 +17,9 @@ using Eigen::Index;
 constexpr double kMinDampingSignificance = 3;  // standard deviations; below them the oscillation counts as a tone
 constexpr double kMaxLinear = 0.5;  // step of a hit's pole over the decay rate: beyond it, a linear estimate fails
 
-struct PoleStd {
+struct PoleWithStd {
   Pole pole;
-  double freq_Hz = 0, damping = 0;  // standard deviations
+  double freq_std_Hz = 0, damping_std = 0;
 };
 
 // ∂(f, ζ)/∂(Re s, Im s) of f = |s|/2π and ζ = −Re s/|s|.
@@ -29,12 +29,12 @@ Eigen::Matrix2d by_rate(const Complex& s) {
                          {-im * im / std::pow(size, 3), re * im / std::pow(size, 3)}};
 }
 
-PoleStd pole_with_std(const DecayRate& rate, const Eigen::Matrix2d& covariance) {
+PoleWithStd pole_with_std(const DecayRate& rate, const Eigen::Matrix2d& covariance) {
   const Eigen::Matrix2d slope = by_rate(rate.rate_radps);
   const Eigen::Matrix2d of_pole = slope * covariance * slope.transpose();
   return {.pole = rate.pole(),
-          .freq_Hz = std::sqrt(std::max(0.0, of_pole(0, 0))),
-          .damping = std::sqrt(std::max(0.0, of_pole(1, 1)))};
+          .freq_std_Hz = std::sqrt(std::max(0.0, of_pole(0, 0))),
+          .damping_std = std::sqrt(std::max(0.0, of_pole(1, 1)))};
 }
 
 void add_scatter(const FittedDecay& decay, Mode& mode) {
@@ -43,13 +43,13 @@ void add_scatter(const FittedDecay& decay, Mode& mode) {
   for (std::size_t h = 0; h < decay.hit_step.size(); ++h) {
     const Eigen::Vector2d& step = decay.hit_step[h];
     const DecayRate own{decay.rate.rate_radps + Complex(step(0), step(1))};
-    const PoleStd known = pole_with_std(own, decay.hit_covariance[h]);
+    const PoleWithStd known = pole_with_std(own, decay.hit_covariance[h]);
     const double std_radps = std::sqrt(decay.hit_covariance[h].trace());
     if (!step.allFinite() || !(step.norm() < limit) || !(std_radps < limit)) continue;
     freq_Hz.push_back(known.pole.freq_Hz);
-    freq_std_Hz.push_back(known.freq_Hz);
+    freq_std_Hz.push_back(known.freq_std_Hz);
     damping.push_back(known.pole.damping_ratio);
-    damping_std.push_back(known.damping);
+    damping_std.push_back(known.damping_std);
   }
   if (freq_Hz.size() < 2) return;
   const ScatterOfHits freq = scatter_of_hits(freq_Hz, freq_std_Hz), zeta = scatter_of_hits(damping, damping_std);
@@ -129,16 +129,16 @@ void add_shape(const RankOne& shape, std::size_t reference, DecayMode& out) {
 }
 
 Mode mode_of(const FittedDecay& decay) {
-  const PoleStd known = pole_with_std(decay.rate, decay.covariance);
+  const PoleWithStd known = pole_with_std(decay.rate, decay.covariance);
   Mode mode{.pole = known.pole,
-            .freq_std_parts_Hz = {.noise = std::max(known.freq_Hz, kRounding * known.pole.freq_Hz)},
-            .damping_std_parts = {.noise = std::max(known.damping, kRoundingDamping * known.pole.damping_ratio)},
+            .freq_std_parts_Hz = {.noise = std::max(known.freq_std_Hz, kRounding * known.pole.freq_Hz)},
+            .damping_std_parts = {.noise = std::max(known.damping_std, kRoundingDamping * known.pole.damping_ratio)},
             .amplitude = {},
             .drift = {},
             .residues = {}};
   const double misfit = std::sqrt(std::max(0.0, decay.misfit * decay.misfit - 1));
-  mode.freq_std_parts_Hz.misfit = misfit * known.freq_Hz;
-  mode.damping_std_parts.misfit = misfit * known.damping;
+  mode.freq_std_parts_Hz.misfit = misfit * known.freq_std_Hz;
+  mode.damping_std_parts.misfit = misfit * known.damping_std;
   add_scatter(decay, mode);
   mode.freq_std_Hz = mode.freq_std_parts_Hz.total();
   mode.damping_std = mode.damping_std_parts.total();
