@@ -149,7 +149,8 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
 }
 
 constexpr std::size_t kRisingSamples = 256;  // enough to tell frequencies from a signal
-// Of a column without a name: as a time step in s, it would mean 20 Hz.
+// The smallest step at which a first column without a name may be frequencies. A time step of this many seconds would
+// mean a sampling rate of only 20 Hz.
 constexpr double kMinFrequencyStep_Hz = 0.05;
 
 std::vector<double> first_samples(const CsvTable& table, std::size_t index, std::size_t max_samples) {
