@@ -46,7 +46,7 @@ enum class Effort { quick, standard, best };
 enum class ObjectKind { automatic, tube, other };
 
 struct AnalysisOptions {
-  std::optional<Band> band_Hz{};  // default: the range that the hammer excited; of FrfSet: its range
+  std::optional<Band> band_Hz{};  // default: the range that the hammer excited; for an FrfSet: its range
   Effort effort = Effort::best;
   Estimator estimator = Estimator::h1;  // of frfs(); modes are fitted to H1
   HitOptions hits{};

@@ -69,11 +69,12 @@ struct ImpactSpeed {
 };
 
 /// Copies share the results.
-/// Hits that Analysis rejects have a deflection too. Hits without a pulse and hits in reject_hit have none, nor have
-/// hits with a clipped acceleration that are not in accept_hit, except by the modal method.
+/// Hits that Analysis rejects have a deflection too, with these exceptions. Hits in reject_hit have none. Hits without
+/// a pulse, with too many lost samples or with a clipped acceleration have one only if they are in accept_hit. The
+/// modal method uses hits with a clipped acceleration in any case.
 /// errors  InputError, of the constructor: options that contradict each other, several runs (see Record::runs), samples
-///         that cannot be read, no force or no mode where the options need them, another number of positions than of
-///         points.
+///         that cannot be read, no force or no mode where the options need them, a number of positions that differs
+///         from the number of points.
 class Deflections {
  public:
   explicit Deflections(const Record& record, const DeflectionOptions& options = {});

@@ -47,8 +47,8 @@ struct Mode {
   std::vector<Residue> residues;
 };
 
-/// A mode, fitted to one hit alone. Each ± is from the noise of the hit and the scatter between the hits; the misfit of
-/// the model is common to all hits and is a part of the ± of Mode.
+/// A mode, fitted to one hit alone. Each ± covers the noise of the hit and the scatter between the hits. It does not
+/// cover the misfit of the model, which is common to all hits: the ± of Mode contains it.
 struct ModeOfHit {
   std::size_t hit = 0, mode = 0;
   double freq_Hz = 0, freq_std_Hz = 0;
@@ -78,8 +78,8 @@ struct ModeClassification {
   std::optional<std::complex<double>> ratio{};  // residue of the second sensor over the residue of the first
   double ratio_std = 0;                         // of the real and of the imaginary part
   std::optional<SplitMode> split_mode{};
-  bool possible_three_waves = false;  // it may have n = 3 waves around the barrel; `confidence` counts this
-  bool order_uncertain = false;       // bending: the order counts on modes below that may have three waves
+  bool possible_three_waves = false;  // it may have n = 3 waves around the barrel, which lowers `confidence`
+  bool order_uncertain = false;       // bending: the order depends on a mode below that may have three waves
 };
 
 /// A warning about a result.

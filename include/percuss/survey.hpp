@@ -54,7 +54,7 @@ struct Geometry {
 };
 
 /// Reads "point, x_m, y_m, z_m" or "point, position_m, angle_deg" from a text file, with the lines and faces that it
-/// states, and directions of blows or sensors. Points around an axis become a tube. Lengths without a unit are taken as m.
+/// states, and directions of blows or sensors. Points around an axis become a tube. Lengths without a unit count as m.
 /// errors  InputError: not such a file; lengths above 10 without a unit.
 Geometry read_geometry(const std::string& path);
 
@@ -117,8 +117,8 @@ class Survey {
   /// Hits, FRFs, modes.
   Analysis analysis() const;
   std::optional<Geometry> geometry() const;
-  /// The modes that the shapes belong to, ascending: those of the analysis, and two in the place of a mode whose
-  /// residues at several sensors need two shapes.
+  /// The modes of the shapes, ascending: the modes of the analysis, but two modes in place of each mode whose residues
+  /// at several sensors need two shapes.
   std::vector<Mode> modes() const;
   std::vector<ModeShape> shapes() const;                    // [modes]
   std::vector<std::optional<TubeShape>> tubes() const;      // [modes]; no value where the shape is not on a tube

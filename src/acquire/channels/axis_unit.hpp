@@ -8,7 +8,7 @@ namespace percuss::acquire {
 /// "none", "-"). Nothing for other texts.
 std::optional<double> Hz_per_unit(const std::string& unit);
 
-/// The same.
+/// As Hz_per_unit, but refuses other texts.
 /// errors  InputError at `where`: another text
 double require_Hz_per_unit(const std::string& unit, const std::string& where);
 

@@ -173,7 +173,7 @@ ChannelSetup read_entry(const Json& json, std::size_t index, const std::string& 
     throw InputError("unknown unit \"" + one_line(*setup.unit, 40) + "\"", entry.where("unit"),
                      "use N, lbf, m/s^2, g, V or mV, for instance");
   }
-  entry.text("instrument");  // for reports alone, see instruments_of_setup
+  entry.text("instrument");  // only checked here: reports take it from instruments_of_setup
   return setup;
 }
 

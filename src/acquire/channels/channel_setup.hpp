@@ -25,7 +25,7 @@ std::vector<ChannelSetup> read_channel_setup(const std::string& path);
 /// As read_channel_setup, for a document in memory; `where` names it.
 std::vector<ChannelSetup> parse_channel_setup(std::string_view json, const std::string& where);
 
-/// What measured a channel, in the user's words.
+/// The instruments that measured a channel, in the user's words.
 struct ChannelInstrument {
   std::string channel, instrument;
 };

@@ -100,7 +100,7 @@ class RoleFinder {
     return entry == nullptr ? "" : entry->role;
   }
 
-  // Without a choice by the options.
+  // Whether the signal is a response if the options choose no accelerations.
   bool is_response(const NamedSignal& signal) const {
     const std::string role = role_of(signal);
     return role == "acceleration" || (role.empty() && !signal.is_force);

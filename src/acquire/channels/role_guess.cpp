@@ -74,7 +74,7 @@ bool is_no_signal(const CsvColumn& column, const CsvColumns& known, const ReadOp
          (setup != nullptr && setup->role == "ignore");
 }
 
-// Whether a signal measures what is neither a force nor a response: a velocity, an angle.
+// Whether a signal measures another quantity than a force or a response, such as a velocity or an angle.
 bool measures_another_quantity(const CsvColumn& signal) {
   const auto unit = parse_unit(signal.unit);
   return unit && unit->quantity != Quantity::force && unit->quantity != Quantity::voltage &&
@@ -116,9 +116,9 @@ bool states_force(const CsvColumn& signal) {
   return unit && unit->quantity == Quantity::force;
 }
 
-// Several forces by their units are hits side by side, each with its responses: of such signals, only the first force
-// and the responses up to the next force remain. If the first two forces are neighbours, all responses after them
-// remain.
+// Several signals with a unit of force are hits side by side, each force followed by its responses. Keeps only the
+// first force and the responses up to the next force. If the first two forces are neighbours, keeps all responses after
+// them.
 void keep_first_hit(std::vector<const CsvColumn*>& signals, const CsvColumn*& force) {
   const auto is_force = [](const CsvColumn* signal) { return states_force(*signal); };
   const auto first = std::find_if(signals.begin(), signals.end(), is_force);

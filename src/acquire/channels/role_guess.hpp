@@ -45,7 +45,7 @@ double active_share(std::span<const double> samples);
 /// the extremes on both sides of the median. A decay swings to both sides, a pulse to one.                      (2)
 double hammer_dissimilarity(std::span<const double> samples);
 
-/// Fewer numbers do not show whether they rise evenly.
+/// The fewest numbers that show whether they rise evenly.
 inline constexpr std::size_t kMinRisingSamples = 8;
 
 /// Whether the numbers rise evenly, as times do: none is more than half a step from its place. False for fewer than

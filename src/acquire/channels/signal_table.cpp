@@ -70,7 +70,7 @@ void read_table(const ScaledTable& open, std::size_t row, std::size_t signal, do
 
 SignalInfo described_signal(const SignalTable& table, std::size_t index) {
   const TableSignal& signal = table.signals[index];
-  // Where the file states the scale of the numbers, they are not in the unit of the name.
+  // If the file states the scale of the numbers, the unit in the name does not apply to them.
   const std::string unit = signal.unit.empty() && !signal.to_SI ? unit_in_name(signal.name) : signal.unit;
   return {.name = signal.name,
           .unit = unit,

@@ -30,8 +30,9 @@ StructureMesh structure_mesh(std::span<const std::array<double, 3>> points_m);
 /// The edges of faces, each once, ascending.
 std::vector<std::array<std::size_t, 2>> edges_of(const std::vector<std::vector<std::size_t>>& faces);
 
-/// A normal per point: the mean of its faces' normals. Those of a closed structure point outwards, those of an open one
-/// to the side of `towards`. The faces must run around in one sense. Points without a face have `towards`.
+/// A normal per point: the mean of its faces' normals. The normals of a closed structure point outwards. The normals of
+/// an open structure point to the side of `towards`. All faces must have the same sense of rotation. Points without a
+/// face have `towards`.
 std::vector<std::array<double, 3>> normals_of(std::span<const std::array<double, 3>> points_m,
                                               const std::vector<std::vector<std::size_t>>& faces,
                                               const std::array<double, 3>& towards);

@@ -12,8 +12,8 @@ struct RelativeBand {
 
 /// Whether a spectral line of the band still decays after the first `length` of the `samples` of a hit: its power there
 /// exceeds its noise, and 1.5 times its power at the end of the samples. Noise and steady sinusoids, such as hum of the
-/// mains, do not decay. Also true where the samples after `length` are too few to tell: less than twice eight periods
-/// of the lower end of the band. Reads one segment around `length` and one at the end.
+/// mains, do not decay. Also true if the samples after `length` are too few to tell: if two segments of at least eight
+/// periods of the lower end of the band have no room. Reads one segment around `length` and one at the end.
 bool has_decaying_lines(std::size_t length, std::size_t samples, const RelativeBand& band,
                         const SampleWindow& accel_mps2);
 

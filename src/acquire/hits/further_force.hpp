@@ -7,7 +7,7 @@
 
 namespace percuss::acquire {
 
-/// A push that is shorter, relative to the main pulse, is a spike: not this hammer.
+/// A push shorter than this fraction of the main pulse is a spike: it does not come from this hammer.
 inline constexpr double kMaxSpikeLength = 0.5;
 
 /// A further contact of the hammer: one push of the main pulse's sign and about its length.

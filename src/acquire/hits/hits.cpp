@@ -21,7 +21,7 @@ namespace percuss::acquire {
 namespace {
 
 constexpr double kSecondScan_s = 0.25;  // second contacts follow within some tens of milliseconds
-constexpr std::size_t kMinRead = 256;   // samples: below 1 kHz, more than 0.25 s; longer than any pulse's gate
+constexpr std::size_t kMinRead = 256;   // samples: longer than any gate, and than kSecondScan_s at rates below 1 kHz
 
 std::size_t samples_to_scan(double fs_Hz) { return static_cast<std::size_t>(kSecondScan_s * fs_Hz) + 1; }
 

@@ -72,7 +72,7 @@ Gate gate_around(std::span<const double> force_N, const PulseShape& pulse, doubl
 void plan_bandwidths() { plan_real_dft(kMinPadded); }
 
 double bandwidth_Hz(std::span<const double> pulse, double fs_Hz) {
-  // A power of two: every other length would need its own plan.
+  // A power of two, so that pulses of different lengths use the same few plans.
   std::vector<double> padded(std::bit_ceil(std::max(kMinPadded, kPadding * pulse.size())));
   std::copy(pulse.begin(), pulse.end(), padded.begin());
   const auto spectrum = real_dft_in_scratch(padded);

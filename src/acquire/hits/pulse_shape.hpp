@@ -23,7 +23,7 @@ std::size_t rise_samples(const PulseShape& pulse);
 /// No hammer tip makes a longer pulse: longer is drift. At low rates a pulse may last kLongestPulse_samples samples.
 inline constexpr double kLongestPulse_s = 0.05;
 inline constexpr std::size_t kLongestPulse_samples = 8;
-/// A smaller peak, over the standard deviation of the noise, is no blow.
+/// The smallest peak of a blow, over the standard deviation of the noise.
 inline constexpr double kPulseToNoise = 10;
 /// Whether the force around `peak` is a blow: above ten times its noise, and no longer than a hammer's contact.
 bool is_hammer_pulse(std::span<const double> force_N, std::size_t peak, double noise_N, double fs_Hz);

@@ -4,8 +4,9 @@
 
 namespace percuss::acquire {
 
-/// Compares the clock of a device with the computer's. Frames arrive late by a random time, in buffers; the earliest
-/// arrival of each second follows the clocks. A line through these arrivals gives the difference.
+/// Compares the clock of a device with the computer's. Frames arrive in buffers, late by a random time. The earliest
+/// arrival of each second has the least delay. The slope of a line through these arrivals is the difference of the
+/// clocks.
 class ClockDrift {
  public:
   explicit ClockDrift(double fs_Hz) : fs_Hz_(fs_Hz) {}

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kReplayPiece_frames = 4096;
 constexpr double kReplayPoll_s = 0.005;
 
-// The stated rate is for a file without a rate of its own.
+// Opens the file. Applies the stated rate only if the file states none.
 Record open_at_own_rate(const std::string& path, ReadOptions read, const DeviceOptions& options) {
   read.force_optional = read.sandboxed = true;
   if (!options.fs_Hz) return open_record(path, read);

@@ -19,8 +19,8 @@ struct FrameLayout {
   std::vector<double> scales;         // [channels]: value = number × scale
 };
 
-/// Consecutive frames in the ring. The index counts the frames that the ring took; the frame number counts also those
-/// that were lost.
+/// Consecutive frames in the ring. The index counts the frames that the ring took. The frame number also counts lost
+/// frames.
 struct RingRange {
   std::uint64_t index = 0;
   std::size_t frames = 0;
@@ -52,7 +52,7 @@ class FrameRing final : public FrameSink {
   StreamEnd ended() const { return end_.load(std::memory_order_acquire); }
   /// The frames from `index` to the next loss, or to the newest frame; at most `limit`.
   RingRange range_from(std::uint64_t index, std::size_t limit);
-  /// The index of a frame number: of the first frame in the ring that is not before it.
+  /// The index of the frame with this number. For a frame that is not in the ring, the index of the next one that is.
   std::uint64_t index_of(std::uint64_t frame);
   /// Frames index … index + out.size()/channels − 1 as values in the stream's units, interleaved.
   void read(std::uint64_t index, std::span<double> out) const;

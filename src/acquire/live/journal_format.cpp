@@ -49,7 +49,7 @@ void complete_block(std::string& block, const JournalBlockHeader& header) {
   put(block, kCrcOffset, crc_of(0, block));
 }
 
-// A NaN stays one.
+// Whether a float holds the value without loss. A NaN stays a NaN.
 bool is_float(double value) { return std::isnan(value) || static_cast<double>(static_cast<float>(value)) == value; }
 
 }  // namespace

@@ -22,8 +22,8 @@ struct JournalEvent {
   std::uint64_t frame = 0;  // the frame number after the last frame before the event in the file
 };
 
-/// The content of a journal up to its last whole block. What follows a damaged block is not used: an interrupted write
-/// leaves such a rest. Samples stay in the file: 16 bytes of memory for 32 blocks of them.
+/// The content of a journal up to the first damaged block. The bytes from there on are not used: an interrupted write
+/// leaves them. Samples stay in the file: 16 bytes of memory for 32 blocks of them.
 class JournalReader {
  public:
   /// errors  InputError: not readable, not a journal, of another version; its blocks contradict each other; more than
@@ -42,7 +42,7 @@ class JournalReader {
   /// The frame number after the last frame.
   std::uint64_t end_frame() const { return ranges_.empty() ? 0 : ranges_.back().first + ranges_.back().frames; }
   std::uint64_t frames() const;
-  /// The bytes up to the end of the last whole block, and those of the rest.
+  /// The bytes up to the end of the last whole block, and the bytes after it.
   std::uint64_t whole_bytes() const { return whole_bytes_; }
   std::uint64_t torn_bytes() const { return torn_bytes_; }
 

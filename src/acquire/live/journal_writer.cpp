@@ -110,7 +110,7 @@ JournalWriter::Outcome JournalWriter::append(const std::string& block) {
   const std::lock_guard guard(mutex_);
   const int error = write_at(descriptor_, block, end_);
   if (error != 0) {
-    // The reader ignores what could not be cut off, because its checksum is wrong.
+    // If the file cannot be cut, the reader ignores the partial block, because its checksum is wrong.
     static_cast<void>(::ftruncate(descriptor_, static_cast<off_t>(end_)) == 0);
     return {error, end_};
   }

@@ -7,7 +7,7 @@
 namespace percuss::acquire {
 
 /// Samples that another program writes to a pipe: "wav", or "raw:ENCODING:RATE:CHANNELS" such as "raw:s24:51200:2".
-/// Their full scale is 1, except for floating-point numbers, which are as they are. The writer waits while the ring is
+/// Integers are divided by their full scale; floating-point numbers are as stored. The writer waits while the ring is
 /// full, so nothing is lost here. A WAV stream that percuss wrote states names and scales: its samples are in SI units,
 /// unless the set-up states units or sensitivities. The stream is finished where the data end, or where a WAV header
 /// says so.

@@ -12,7 +12,7 @@ constexpr double kMaxRing_bytes = 32.0 * 1024 * 1024;
 constexpr std::size_t kMinRing = 1024;  // frames
 // Frames, for low rates, where StoreOptions::ring_s holds few frames. Limited by kMaxRing_bytes.
 constexpr std::size_t kMinSlowRing = 8192;
-// Not fewer frames than the search for blows examines at once, at any sampling rate.
+// At least as many frames as the search for blows examines at once, at any sampling rate.
 constexpr std::size_t kTakenTogether = 1024;
 constexpr std::size_t kMaxBlock_bytes = std::size_t{4} << 20U;
 constexpr std::size_t kMaxFindings = 10000;  // kept until they are taken

@@ -15,7 +15,7 @@ struct WavHeader {
   PcmEncoding encoding = PcmEncoding::s16;
   double fs_Hz = 0;
   std::size_t channels = 0;
-  std::uint64_t data_bytes = std::numeric_limits<std::uint64_t>::max();  // programs that write pipes do not know it
+  std::uint64_t data_bytes = std::numeric_limits<std::uint64_t>::max();  // this default: the stream does not state it
   std::optional<SoundCalibration> calibration{};  // of a WAV that percuss wrote; one signal for each channel
 };
 

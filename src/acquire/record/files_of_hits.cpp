@@ -21,7 +21,8 @@ struct NameOfHit {
   int number = 0;
 };
 
-// The index at which `word` starts if `text` ends with it, in any letter case; nothing if a letter stands before it.
+// The index at which `word` starts if `text` ends with it, in any letter case. Nothing if a letter stands before the
+// word, or if the word is the whole text.
 std::optional<std::size_t> start_of_word(std::string_view text, std::string_view word) {
   if (text.size() <= word.size()) return std::nullopt;
   const std::size_t at = text.size() - word.size();
@@ -83,7 +84,7 @@ struct CalledHits {
 // The index at which a word for a hit starts, at the end of the text; nothing if it ends in none.
 std::optional<std::size_t> start_of_hit_word(std::string_view text) {
   for (const std::string_view word : {"hit", "impact", "blow", "strike", "tap"}) {
-    // A blank stands for the letter that must not precede the word.
+    // The blank before the text lets the word be the whole text.
     const auto at = start_of_word(" " + std::string(text), word);
     if (at) return *at - 1;
   }

@@ -19,9 +19,9 @@ std::vector<FilesOfHits> files_of_hits(const std::vector<std::string>& paths);
 
 /// Groups files whose names call them hits: each name ends in "hit", "impact", "blow", "strike" or "tap" and a number
 /// before its extension (hit1, A_hit 2, blow-3), in any letter case. Files of one folder, word and name before it are a
-/// group, with what their paths have in common before the word as its stem: "A/" for A/hit1.csv and A/hit2.csv. Other
-/// files are in no group, nor are files of a group in which a number occurs twice, or with a single file. The groups
-/// have the order of their first files.
+/// group, with what their paths have in common before the word as its stem: "A/" for A/hit1.csv and A/hit2.csv. Leaves
+/// out other files, groups in which a number occurs twice, and groups of a single file. The groups have the order of
+/// their first files.
 std::vector<FilesOfHits> files_called_hits(const std::vector<std::string>& paths);
 
 }  // namespace percuss::acquire

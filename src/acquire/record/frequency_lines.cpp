@@ -195,7 +195,7 @@ FrequencyLines frequency_lines(const std::vector<double>& numbers, double to_Hz,
     throw InputError("frequencies too close together (more than 2^28 lines from 0 Hz)", where, remedy);
   const double last = first + static_cast<double>(n - 1), written_Hz = back_Hz / last;
   const Offsets offsets = offsets_of(numbers, to_Hz, first, written_Hz);
-  // Multiples and inverses of other numbers may be infinite, which have no digits.
+  // Beyond these limits, a multiple or an inverse may overflow, and infinity has no digits.
   const bool usable = offsets.finite && rough_Hz > 1e-100 && back_Hz < 1e100;
   const auto rounded = usable ? rounded_spacing(numbers, to_Hz, first, rough_Hz / to_Hz) : std::nullopt;
   if (!rounded && offsets.first_off) {

@@ -31,7 +31,7 @@ std::vector<Message> joined_notes(const std::vector<NotesOfFile>& files) {
     if (one.in.size() == files.size()) continue;
     const std::string more = one.in.size() > 1 ? fmt::format(" and {} more", one.in.size() - 1) : "";
     out.back().text = one.in.front()->file + more + ": " + out.back().text;
-    // The FRFs of other files can be fitted.
+    // The code means that all FRFs have the reversed phase. The FRFs of the other files can be fitted.
     if (out.back().code == kReversedPhase) out.back().code.clear();
   }
   return out;

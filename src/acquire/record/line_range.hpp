@@ -7,8 +7,8 @@
 
 namespace percuss::acquire {
 
-/// How far the frequency of an FRF's line may be from a multiple of the spacing, relative to the spacing, where its
-/// digits do not state its rounding.
+/// The largest distance of an FRF's frequency from a multiple of the spacing, relative to the spacing. It applies if no
+/// rounding of the digits explains the distance.
 inline constexpr double kMaxLineOffset = 0.05;
 /// The largest number of lines of an FRF from 0 Hz on, present or not.
 inline constexpr std::size_t kMaxFrfLines = std::size_t{1} << 28U;

@@ -16,18 +16,18 @@ using Direction = std::array<double, 3>;
 struct PointMotion {
   int point = 0;
   std::size_t channel = 0;  // of a roving sensor: index into Record::accel; else 0
-  int place = 0;  // the point at whose coordinates it is: another one where a place was struck in several directions
+  int place = 0;  // the point whose coordinates it has: another one if one place was struck in several directions
   std::optional<Direction> along{};  // of a positive value; nothing for rotations and unknown coordinate systems
   bool operator==(const PointMotion&) const = default;
 };
 
-/// Sorts by point, then channel, and removes all but the first of equal ones.
+/// Sorts by point, then channel. Of several motions of one point and channel, keeps the first.
 void sort_motions(std::vector<PointMotion>& motions);
 
 /// The motion of a point and channel in sorted `motions`, or nullptr. `channel` is 0 with a roving hammer.
 const PointMotion* find_motion(const std::vector<PointMotion>& motions, int point, std::size_t channel);
 
-/// The point at whose coordinates `point` is: itself, unless sorted `motions` state another one.
+/// The point whose coordinates `point` has: itself, unless sorted `motions` state another one.
 int place_of_point(const std::vector<PointMotion>& motions, int point);
 
 /// The motions of roving sensors at the chosen channels, which are numbered anew in the order of `channels`.
@@ -42,10 +42,10 @@ bool same_geometry(const std::vector<std::vector<double>>& a, const std::vector<
 /// Notes once that the sensors moved in some files only.
 void note_mixed_roving(std::vector<Message>& notes);
 
-/// Adds the motions of `next` (a Record or FrfRecord) to `out`, with `after` added to its points. Its places keep their
-/// numbers where both have the same geometry and `next` moves no place in a direction in which `out` moves it, as where
-/// each file holds one direction. `sensor_roves` remains set only if both have it; otherwise `notes` say so, and the
-/// motions of the sensors are left out.
+/// Adds the motions of `next` (a Record or FrfRecord) to `out`, with `after` added to its points. `after` is also added
+/// to its places, unless both have the same geometry and no place moves along one line in both: each file then holds
+/// another direction of the same places. `sensor_roves` remains set only if both have it; otherwise `notes` say so, and
+/// the motions of the sensors are left out.
 template <class Test>
 void join_motions(int after, const Test& next, Test& out, std::vector<Message>& notes) {
   if (next.sensor_roves != out.sensor_roves) {

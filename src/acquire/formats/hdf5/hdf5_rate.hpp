@@ -12,8 +12,8 @@ namespace percuss::acquire::hdf5 {
 double read_rate_Hz(const InputHdf5& file, const InputDataSet* force, const InputDataSet& accel,
                     const ReadOptions& options, std::vector<Message>& notes);
 
-/// The faults state missing samples by their time at the rate of the file. At another stated rate, their times change
-/// so that they remain the same samples.
+/// Keeps the faults at the same missing samples if the user states another rate than the file. The file states the time
+/// of the missing samples at its own rate, so the times are converted.
 void keep_missing_samples(const InputHdf5& file, Record& record);
 
 }  // namespace percuss::acquire::hdf5

@@ -8,7 +8,7 @@
 
 namespace percuss::acquire::hdf5 {
 
-/// Names of a file in a message.
+/// The largest number of names that a message lists.
 inline constexpr std::size_t kNamesShown = 12;
 
 /// "force, accel", or "nothing".

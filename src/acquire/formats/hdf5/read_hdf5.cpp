@@ -76,8 +76,9 @@ const ChannelSetup* setup_of(const OpenRecord& open, const NamedSignal& signal, 
   return signal.is_force ? force_setup(options) : accel_setup(options, signal.channel, open.layout.channels);
 }
 
-// The channel of /accel whose stated angle and position an acceleration has. If the signal called force is an
-// acceleration, it has those of the channel that is the force; nothing without such a channel.
+// The channel of /accel whose stated angle and position apply to an acceleration: usually its own. The file states no
+// place for the signal called force. If this signal is an acceleration, it takes the place of the channel that is the
+// force, or no place if no channel is the force.
 std::optional<std::size_t> channel_of_place(const OpenRecord& open, const NamedSignal& signal) {
   if (!signal.is_force) return signal.channel;
   const auto& force = open.roles.force;

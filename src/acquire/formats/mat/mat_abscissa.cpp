@@ -37,7 +37,7 @@ std::vector<double> columns_from(const std::vector<double>& numbers, const Matri
   return out;
 }
 
-// The abscissa, which leaves `variable`; nothing where it has none.
+// Removes the abscissa from `variable` and returns it; empty if there is none.
 std::vector<double> take_abscissa(MatVariable& variable) {
   if (variable.is_text || variable.shape.size() != 2 || is_own_description(variable.name)) return {};
   const MatrixLines lines(variable);

@@ -16,7 +16,8 @@ struct MatChannel {
 };
 
 /// Turns a variable of several channels into one variable per channel, "accel 1", "accel 2", …, if such a channel has a
-/// role of its own: the options name it as the force, or as an acceleration beside a variable, or the set-up names it.
+/// role of its own: the options name it as the force, the options name it and a whole variable as accelerations, or the
+/// set-up names it.
 /// Returns the new variables by their names. Three dimensions are [hits, channels, samples] or [samples, channels,
 /// hits]; two are time and channels if another variable is a vector over this time.
 std::map<std::string, MatChannel> split_channels(MatFile& file, const ReadOptions& options);

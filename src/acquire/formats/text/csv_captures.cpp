@@ -15,8 +15,8 @@ namespace {
 constexpr double kSameStart = 0.1;  // of the longest earlier capture: the first times of captures differ by some steps
 constexpr std::size_t kMaxCaptures = 1'000'000;
 
-// The lines of one row at which captures start, the row's first line included. Nothing if a time steps back to
-// another time than about the first of the row.
+// The lines of one row at which captures start, the row's first line included. Nothing if a time steps back, but not to
+// about the first time of the row.
 std::optional<std::vector<std::size_t>> capture_starts(const CsvTable& table, const CsvTimes* times,
                                                        const CsvRow& row) {
   const std::size_t end = row.first_line + row.info.samples;

@@ -259,7 +259,8 @@ double find_csv_rate_Hz(const CsvTable& table, const CsvColumns& columns, const 
   // Such a first column is not the time: it is a count of samples or a signal.
   if (guessed && (!stamped || counts)) return header_rate_Hz(header, file);
   if (!stamped) refuse_stamps(table, time.index, rows, problem);
-  // may_be_time() has excluded named columns of counts and signals. Without names, ms are as likely as s.
+  // A guessed column with a name needs no check: may_be_time() has excluded the names of counts and signals. Without
+  // names, ms are as likely as s.
   if (!(guessed && header.named) && !parse_unit(time.unit) && !header.fs_Hz) {
     require_plausible_times(stamped->fs_Hz, header.named ? "the column " + time.name : time.name,
                             file + ": time column",

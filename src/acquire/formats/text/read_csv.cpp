@@ -149,7 +149,8 @@ void read_scaled(const OpenCsv& open, std::size_t row, std::size_t column, doubl
 }
 
 constexpr std::size_t kRisingSamples = 256;  // enough to tell frequencies from a signal
-// Of a column without a name: as a time step in s, it would mean 20 Hz.
+// The smallest step at which a first column without a name may be frequencies. A time step of this many seconds would
+// mean a sampling rate of only 20 Hz.
 constexpr double kMinFrequencyStep_Hz = 0.05;
 
 std::vector<double> first_samples(const CsvTable& table, std::size_t index, std::size_t max_samples) {
@@ -184,7 +185,8 @@ double rate_of_ms_Hz(const std::vector<double>& times) {
   return rate_Hz < kMinTestRate_Hz ? 1000 * rate_Hz : 0;
 }
 
-// The first samples of a column. Of times that start again in each capture, only those of the first capture.
+// The first samples of a column. If they are times that start again in each capture, only the times of the first
+// capture.
 std::vector<double> samples_for_guess(const CsvTable& table, std::size_t index, std::size_t max_samples) {
   std::vector<double> samples = first_samples(table, index, max_samples);
   const auto back = std::adjacent_find(samples.begin(), samples.end(), std::greater<>());

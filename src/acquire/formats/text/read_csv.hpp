@@ -11,8 +11,8 @@ namespace percuss::acquire {
 /// from blocks of one recording. Without a force, it also parses the columns that the record leaves out, to note one
 /// that looks like the hammer's. The text stays in memory during the lifetime of the record and its copies.
 /// errors  InputError with file, line and column: no columns of numbers, no force or acceleration among them, no
-/// sampling rate, uneven time, fewer than two samples in a row. The read functions throw it for gaps and for texts that
-/// are not finite numbers.
+/// sampling rate, uneven time, fewer than two samples in a row. The read functions throw it for empty cells and for
+/// texts that are not finite numbers.
 Record open_csv(const FileBytes& bytes, const ReadOptions& options = {});
 
 }  // namespace percuss::acquire

@@ -10,8 +10,8 @@ namespace percuss::acquire {
 /// phase, of each FRF. Nothing when the column names are different: then the text is a time record. With `forced`, the
 /// name of the first column does not matter, and three or more columns with other names or none are frequency, real,
 /// imaginary, …
-/// errors  InputError with file, line and column: a column without its partner, uneven frequencies, gaps, texts that
-/// are not numbers.
+/// errors  InputError with file, line and column: a column without its partner, uneven frequencies, empty cells, texts
+/// that are not numbers.
 std::optional<StoredFrfs> read_frf_text(const FileBytes& bytes, bool forced);
 
 }  // namespace percuss::acquire

@@ -147,7 +147,7 @@ void require_grid(const StoredFrfs& out, const std::string& file) {
   }
 }
 
-// What every FRF of the file is read with.
+// Data that the readers of all FRFs of the file share.
 struct FrfLayout {
   const FileBytes& file;
   const UffContents& contents;
@@ -156,7 +156,7 @@ struct FrfLayout {
   UffStruckPoints points;
 };
 
-// Where the hammer or the roving sensor was: the degree of freedom that is the point.
+// The degree of freedom that gives the point: of the roving sensor, or else of the hammer.
 const UffDof& point_dof(const UffFunction& f, const FrfLayout& layout) {
   return layout.grid.sensor_roves ? f.response : f.reference;
 }
@@ -184,7 +184,7 @@ bool add_frf(const UffFunction& f, const FrfLayout& layout, StoredFrfs& out) {
   SignalInfo& signal = out.record.accel[channel];
   describe_channel(f, channel, signal);
   const int point = point_of(f, layout);
-  // The directions of percuss stand for the angles of its sensors; its values have no other sign.
+  // In a file that percuss wrote, a direction only states the angle of a sensor: the values need no change of sign.
   const double sign = by_percuss ? 1 : uff_sign(f, f.reference);
   out.frfs.push_back(stored_frf(f, point, channel, sign));
   if (!by_percuss) {
@@ -213,7 +213,7 @@ void add_frfs(const UffFrfs& frfs, const FrfLayout& layout, StoredFrfs& out) {
   sort_motions(out.record.motions);
 }
 
-// What the file states of all FRFs: format, lines, unit, estimator, window and geometry.
+// Adds the statements of the file about all FRFs: format, lines, unit, estimator, window and geometry.
 void add_statements(const UffFunction& first, const FileBytes& file, const UffContents& contents,
                     const UffAnnotation& stated, StoredFrfs& out) {
   out.record.files.push_back({.path = file.path, .bytes = file.size});

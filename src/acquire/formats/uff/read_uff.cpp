@@ -56,7 +56,7 @@ TableSignal signal_of(const UffFunction& function, const std::string& name, cons
   const UffAnnotation stated = uff_annotation(function);
   if (stated.angle_deg) out.angle_rad = *stated.angle_deg * kDegree_rad;
   out.position_m = stated.position_m;
-  // The directions of percuss stand for the angles of its sensors.
+  // In a file that percuss wrote, a direction only states the angle of a sensor.
   if (!stated.by_percuss) out.axis = uff_axis(contents, function.response);
   return out;
 }
@@ -92,8 +92,8 @@ std::size_t number_of(const UffFunction* function, const std::vector<const UffFu
   return static_cast<std::size_t>(std::find(functions.begin(), functions.end(), function) - functions.begin()) + 1;
 }
 
-// Without a force all functions are signals of one row, so that the guess lists the functions of every hit. If they
-// make rows of the guessed force and its responses, the numbers of the first row's functions replace the guess.
+// Without a force, all functions are signals of one row, so the guess lists the functions of all hits. If the guessed
+// force divides the functions into rows, the guess becomes the functions of the first row, by their numbers.
 void guess_one_row(const std::vector<const UffFunction*>& functions, const std::vector<std::string>& names,
                    const std::string& file, RoleGuess& guess) {
   const auto by_name = std::find(names.begin(), names.end(), guess.force);

@@ -21,9 +21,9 @@ double uff_sign(const UffFunction& response, const UffDof& struck);
 /// for other directions, or where that system is not known.
 std::optional<Direction> uff_axis(const UffContents& contents, const UffDof& dof);
 
-/// The point numbers of struck degrees of freedom. A node that was struck in several directions holds several points,
-/// so the n-th of the directions in the file adds (n − 1) times a power of ten above all nodes. Where every node was
-/// struck in one direction, points are numbered as nodes.
+/// The point numbers of struck degrees of freedom. If every node was struck in one direction, points are numbered as
+/// nodes. Otherwise a node holds one point per direction: the n-th direction in the file adds (n − 1)·S to the number
+/// of the node, where S is a power of ten above all node numbers.
 class UffStruckPoints {
  public:
   /// `struck`: node and unsigned direction of each force.
@@ -41,8 +41,8 @@ class UffStruckPoints {
   std::int64_t step_ = 0;        // 0: one direction at each node
 };
 
-/// Adds what the file states of a point: its direction, and its place where that has another number. Adds nothing where
-/// it states neither.
+/// Adds the motion of a point: its direction, if the file states it, and its place. Adds nothing if the file states no
+/// direction and the place has the same number as the point.
 void add_uff_motion(const UffContents& contents, const UffDof& dof, int point, std::size_t channel, int place,
                     std::vector<PointMotion>& motions);
 

@@ -16,7 +16,7 @@ bool is_unique(const UffFrfGrid& grid, const UffFrfs& frfs) {
 }
 
 // A direction and its opposite are one degree of freedom. Names tell fixed sensors apart. The names of roving sensors,
-// and all signs, count only where channels are the same without them.
+// and the signs of directions, count only if two FRFs would otherwise have the same point and channel.
 void choose_channel_key(UffFrfGrid& grid, const UffFrfs& frfs) {
   for (const auto& [by_name, by_sign] : {std::pair{false, false}, std::pair{true, false}, std::pair{true, true}}) {
     if (!by_name && !grid.sensor_roves) continue;

@@ -51,8 +51,8 @@ class NodeReader {
     }
   }
 
-  // Set 2420: number of the part; its name; then of each system label, kind and colour; its name; four lines of
-  // numbers: three of the rotation and one of the origin. Only systems that equal the global one are understood.
+  // Set 2420: number of the part; its name. Then for each system: label, kind and colour; its name; four lines of
+  // numbers (three of the rotation, one of the origin). Only systems that equal the global one are understood.
   void read_other_frames(const UffSet& set) {
     std::string_view rest = set.text;
     take_uff_line(rest);

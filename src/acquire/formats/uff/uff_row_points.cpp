@@ -48,7 +48,7 @@ int point_of_row(const UffRow& row, bool sensor_roves, const UffStruckPoints& po
   return static_cast<int>(point);
 }
 
-// The responses of a row that were measured where and in the direction in which it was struck.
+// Adds the responses of a row that were measured at the struck place and in the struck direction.
 void add_driving_places(const UffRow& row, int point, std::vector<DrivingPlace>& driving) {
   for (std::size_t i = 1; i < row.size(); ++i) {
     const DrivingPlace at{point, i};
@@ -57,7 +57,7 @@ void add_driving_places(const UffRow& row, int point, std::vector<DrivingPlace>&
   }
 }
 
-// Whether one place was struck in one direction, and the sensors of a row, all at one node, moved.
+// Whether one place was struck in one direction, and the sensors moved from row to row, all to the same node.
 bool roving_sensors(const std::vector<UffRow>& rows, const std::set<std::pair<int, int>>& struck) {
   std::set<int> sensed;
   for (const UffRow& row : rows) {
@@ -70,8 +70,8 @@ bool roving_sensors(const std::vector<UffRow>& rows, const std::set<std::pair<in
   return sensed.size() > 1 && struck.size() == 1;
 }
 
-// Where one place was struck, a row's sensors at several nodes must be at the same nodes in every row: a channel cannot
-// be at several places of one point.
+// Requires that each sensor stays at its node in all rows, if one place was struck and the sensors did not rove. All
+// rows then belong to one point, at which a channel has only one place.
 void require_fixed_sensors(const std::vector<UffRow>& rows, const std::string& file) {
   const UffRow& first = rows.front();
   for (std::size_t r = 1; r < rows.size(); ++r) {
@@ -85,7 +85,7 @@ void require_fixed_sensors(const std::vector<UffRow>& rows, const std::string& f
   }
 }
 
-// What the file states of the places and directions of the struck points, or of roving sensors.
+// Adds the places and directions of the struck points or of the roving sensors, as the file states them.
 void add_motions(const UffContents& contents, const UffRow& row, int point, int offset, SignalTable& table) {
   if (!table.sensor_roves) {
     const UffDof struck = struck_place(row);
