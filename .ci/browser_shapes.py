@@ -131,7 +131,7 @@ def check_paper_of_shapes(driver, path, load, emulate, check):
     driver.execute_script("dispatchEvent(new Event('afterprint'))")
     emulate(driver, prefers_reduced_motion="no-preference", prefers_color_scheme="dark")
     load(driver, path)
-    driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvases(driver)[0])  # only what is seen moves
+    driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvases(driver)[0])  # only visible ones move
     time.sleep(0.2)
     driver.execute_script("dispatchEvent(new Event('beforeprint'))")
     check(pictures(driver) == still, f"{path.stem}: paper shows the largest deflection")

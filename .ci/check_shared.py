@@ -100,7 +100,7 @@ def check_frame(data):
     for file, sample in (("imp_ham_set1_nomass.CSV", 13), ("imp_ham_set2_nomass.CSV", 27), ("imp_ham_set3_no_mass.CSV", 5)):
         _, document = percuss("analyze", os.path.join(folder, file), "--force-channel", "CH8", "--force-scale=%.6f" % mean)
         onsets = [h["time_s"] * 50 for h in document["hits"] if h["accepted"]]
-        # The peak is at this sample; the pulse, one sample wide, begins at most one and a half before it.
+        # The peak is at this sample; the pulse, one sample wide, begins at most one and a half samples before it.
         check("frame3 %s: the one hit at sample %d" % (file, sample), len(onsets) == 1 and sample - 1.5 <= onsets[0] <= sample + 0.5, "onset %s" % ", ".join("%.2f" % o for o in onsets))
         for frequency in (2.16, 6.89, 13.24):
             found = nearest(document, frequency)["frequency_hz"]

@@ -24,7 +24,7 @@ struct Scaling {
   double time_exponent = 0, memory_exponent = 0;
 };
 
-/// The least-squares slope of log y over log x in the upper half of log x, without values of zero or below.
+/// The least-squares slope of log y over log x in the upper half of the range of log x. Leaves out y of zero or below.
 double growth_exponent(const std::vector<double>& x, const std::vector<double>& y);
 
 /// Measures samples 2^10 to 2^24, channels 1 to 1000, hits 1 to 100, modes 1 to 60, files 1 to 10000. Each of the five

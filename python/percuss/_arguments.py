@@ -47,8 +47,8 @@ def _is_list_of_inputs(value: Any) -> bool:
 
 
 def reject_reading_options(name: str, command: Command, handles: list[Any], options: dict[str, Any], are_records: bool) -> None:
-    """Rejects reading options for records and FRFs that were read before, or are synthetic. Those of arrays still take
-    them, except fs."""
+    """Rejects reading options for records and FRFs that were read before, or are synthetic. Records and FRFs of arrays
+    still take reading options, except fs."""
     if are_records and options.get("fs") is not None:
         raise TypeError(f"{name}() cannot change the sampling rate of a record with 'fs'; give it to percuss.read() or percuss.Record()")
     if all(one.from_arrays for one in handles):

@@ -12,7 +12,7 @@ KINDS = ("accelerance", "mobility", "receptance")  # each is the one before it d
 
 
 def require_kind(kind: Any) -> None:
-    """Raises UsageError for what is no kind of FRF."""
+    """Raises UsageError for an unknown kind of FRF."""
     if kind not in KINDS:
         raise UsageError(f"cannot be {kind!r}", "give accelerance, mobility or receptance", ["kind"])
 

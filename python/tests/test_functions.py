@@ -76,7 +76,7 @@ def test_types_are_right_for_a_checker(tmp_path):
 
 
 def test_repeated_calls_take_the_options_that_they_are_given(bat):
-    """The words of the last call are not parsed again; other words, and refused ones between them, are."""
+    """A call with the words of the last call does not parse them again. Calls with other words take their own options."""
     calls = [{"only": "hits"}, {"only": "hits"}, {"only": ["hits", "frf"]}, {"only": "hits"}, {"only": "hits", "reject_hit": 1}]
     first = [percuss.analyze(bat, threads=1, **options).json for options in calls]
     assert first[0] == first[1] == first[3]

@@ -339,7 +339,7 @@ def test_the_remedies_of_deflections_lead_away_from_the_method_that_failed():
 
 
 def test_deviations_of_scaled_shapes_include_the_scale():
-    """The document states the standard deviation of the scale separately. An element in 1/√kg is known no better."""
+    """The document states the standard deviation of the scale separately; the array shapes_std includes it."""
     scan = percuss.survey(percuss.synth("bat-scan").record, band=BAND, effort="quick", driving_point=(0, 0))
     shapes = [mode["shape"] for mode in scan.to_dict()["modes"]]
     assert any(one["scale_std"] > 0 for one in shapes)

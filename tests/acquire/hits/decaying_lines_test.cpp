@@ -28,7 +28,7 @@ std::vector<double> noise(std::uint64_t seed, double std = 1) {
   return x;
 }
 
-// From its beginning, at sample 0, on.
+// Adds a decay that begins at sample 0.
 void add_decay(std::vector<double>& x, const Decay& decay) {
   for (std::size_t n = 0; n < x.size(); ++n) {
     const auto t = static_cast<double>(n);
@@ -69,7 +69,7 @@ TEST(HasDecayingLines, IsFalseForSteadySinusoids) {
   }
 }
 
-// At the length, the mode's amplitude is 0.9 of the noise.
+// At sample kLength, the mode's amplitude is 0.9 standard deviations of the noise.
 TEST(HasDecayingLines, IsTrueForAModeBelowTheLevelOfTheNoise) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     std::vector<double> x = noise(seed);

@@ -49,7 +49,7 @@ struct Progress {
   }
 }
 
-/// Runs and kills a capture after a time.
+/// Starts a capture, waits until its first block is read, then for the time `after`, and kills it.
 void run_and_kill(const std::string& path, bool resume, std::chrono::microseconds after, Progress& progress) {
   const pid_t child = ::fork();
   ASSERT_GE(child, 0);

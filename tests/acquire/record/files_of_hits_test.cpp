@@ -46,7 +46,7 @@ TEST(FilesOfHits, LeaveOtherNamesAlone) {
            {"P_1.csv", "P_2.csv", "P_3.csv"},                      // one name: points
            {"A1.csv", "A2.csv", "B1.csv", "B2.csv"},               // a grid of letters and numbers
            {"r1_P1.csv", "r1_P2.csv", "r2_P1.csv", "r2_P2.csv"},   // runs of points
-           {"hit1.csv", "hit2.csv"},                               //
+           {"hit1.csv", "hit2.csv"},                               // no name of a point
            {"P1_1.csv", "P2_1.csv", "P3_1.csv"},                   // one file for each name
            {"P1_1.csv", "P1_2.csv", "P2_1.csv", "corner.csv"},     // a name without a number
            {"P1_1.csv", "P1_2.csv", "P2_3.csv", "P2_4.csv"},       // numbers that go on

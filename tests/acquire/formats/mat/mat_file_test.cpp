@@ -72,7 +72,7 @@ TEST(MatVariableReader, RefusesAStructureWhoseCountOfValuesOverflows) {
   MatFile out;
   acquire::MatVariableReader reader(out, 1'000'000);
   EXPECT_THAT(input_error_of([&] { reader.check_claim(structure.get()); }), HasSubstr("claims more numbers"));
-  std::copy(stored.begin(), stored.end(), structure->dims);  // Mat_VarFree frees as many
+  std::copy(stored.begin(), stored.end(), structure->dims);  // Mat_VarFree frees as many values as these state
 }
 
 TEST_F(MatFiles, HoldNumbersOfEveryType) {
@@ -113,7 +113,7 @@ TEST_F(MatFiles, HoldCellsAsMatricesOrOneByOne) {
   EXPECT_NE(find_variable(read, "single"), nullptr);
 }
 
-// A structure array with the samples [samples, channels] of each hit, and one with [channels, samples].
+// Cell arrays with a matrix for each hit: [samples, channels], [channels, samples], and matrices of unlike shape.
 TEST_F(MatFiles, StackMatricesAsHitsChannelsAndSamples) {
   const auto matrix = [](std::size_t rows, std::size_t columns, double first) {
     std::array<std::size_t, 2> shape{rows, columns};

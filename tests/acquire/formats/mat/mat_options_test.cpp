@@ -77,7 +77,7 @@ TEST(MatOptions, DoNotMakeComplexNumbersReal) {
 // The hammer was plugged into the first channel, and the first sensor into the hammer's.
 TEST(MatOptions, ExchangeTheForceAndAChannelByTheirNames) {
   const MatFile two_dimensions = example({mat_numbers("angle_deg", {1, 2}, {0, 90})});
-  // [hits, channels, samples], with one sample of each hit side by side.
+  // [hits, channels, samples] in MATLAB's order: the first dimension runs fastest.
   const MatFile three_dimensions = mat_record_of(
       {mat_numbers("force", {2, 3}, {1, 10, 2, 20, 3, 30}),
        mat_numbers("accel", {2, 2, 3}, {4, 40, 7, 70, 5, 50, 8, 80, 6, 60, 9, 90}), mat_text("force_unit", "N"),

@@ -140,7 +140,7 @@ TEST(CsvRate, NamesTheLineWhereTimeIsUneven) {
               HasSubstr("the time is empty (x.csv: line 3"));
 }
 
-/// Lines 1 ms apart with forces 0, 1, 2, … and accelerations in the other direction; without those that are `lost`.
+/// Lines 1 ms apart with forces 0, 1, 2, … and accelerations 0, −1, −2, …, without the lines in `lost`.
 std::string lines_without(const std::vector<int>& lost) {
   std::string text = "t_s,force_N,acc_m_s2\n";
   for (int i = 0; i < 60; ++i) {
