@@ -38,9 +38,9 @@ struct SurveyData;
 struct GeometryPoint {
   int point = 0;  // its number: in the record, or in the name of the point's file
   std::optional<std::array<double, 3>> xyz_m{};
-  double position_m = 0;  // along the tube's axis, from the barrel's end
-  double angle_rad = 0;   // around the axis
-  double radius_m = 0;    // for drawings; 0: not known
+  double position_m = 0;                         // along the tube's axis, from the barrel's end
+  double angle_rad = 0;                          // around the axis
+  double radius_m = 0;                           // for drawings; 0: not known
   std::optional<std::array<double, 3>> along{};  // unit vector of a positive value: of the blow or of the sensor
 };
 
