@@ -50,8 +50,9 @@ struct ImpactTest {
 
 /// Deflection at each accelerometer for each impact with a pulse; without a force, each row is one impact. Hits that
 /// percuss rejects for FRFs (a double hit, a truncated decay) have a deflection, too. Hits that the user rejects have
-/// none, nor have hits with a clipped acceleration that the user does not accept, except by the modal method. Modes are
-/// identified only if the method, stated or automatic, needs them.
+/// none. Hits without a pulse, with too many lost samples or with a clipped acceleration have one only if the user
+/// accepts them; the modal method uses hits with a clipped acceleration in any case. Modes are identified only if the
+/// method, stated or automatic, needs them.
 /// errors  InputError: no force or no mode where the options need them; another number of positions than points; a
 /// response that is a pressure; an impact less than one sample after the light beam.
 ImpactTest deflect(const Analysis& analysis, const ImpactTestOptions& options = {});
