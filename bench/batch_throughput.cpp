@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -160,15 +161,22 @@ void compare(const TemporaryFolder& folder, const std::string& kind) {
 }
 
 // The peak memory of a child process that runs the batch on two threads.
+// errors  std::runtime_error: the batch failed.
 double largest_memory_MB(const TemporaryFolder& folder, const std::string& manifest) {
   const pid_t child = ::fork();
   if (child == 0) {
-    run_batch(batch::Manifest(manifest), 2, folder.file("results"));
-    ::_exit(0);
+    try {
+      run_batch(batch::Manifest(manifest), 2, folder.file("results"));
+      ::_exit(0);
+    } catch (const std::exception& error) {  // the parent owns the folder: no destructor may run here
+      fmt::print(stderr, "{}\n", error.what());
+      ::_exit(1);
+    }
   }
   int status = 0;
   rusage used{};
   ::wait4(child, &status, 0, &used);
+  if (status != 0) throw std::runtime_error("the batch failed in the child process");
   return static_cast<double>(used.ru_maxrss) * 1024 / 1e6;  // ru_maxrss is in KiB
 }
 
