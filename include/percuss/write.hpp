@@ -29,6 +29,7 @@ namespace percuss {
 struct PageTitle {
   std::string title{};  // default: the name of the record
   std::string customer{}, operator_name{}, specimen{};
+  std::string date{};  // of the test; default: as the file states it
   std::string note{};  // lines, and paragraphs between empty lines
   std::string logo{};  // path of a picture: PNG, JPEG or SVG, at most 200 kB
 };

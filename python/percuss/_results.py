@@ -138,6 +138,7 @@ class Result(Mapping[str, Any]):
         customer: str | None = None,
         operator: str | None = None,
         specimen: str | None = None,
+        date: str | None = None,
         note: str | None = None,
         logo: str | os.PathLike[str] | None = None,
         paper: Literal["a4", "letter"] | None = None,
@@ -146,6 +147,7 @@ class Result(Mapping[str, Any]):
 
         title     the title of the page (default: the name of the file)
         customer, operator, specimen   who ordered the test, who did it, what was tested
+        date      when it was done (default: the date that the file states)
         note      a text at the top of the page, or "@FILE": the text of a file
         logo      a picture at the top of the page: a PNG, JPEG or SVG file of at most 200 kB
         paper     the paper on which the page is printed: "a4" (default) or "letter"
@@ -159,6 +161,7 @@ class Result(Mapping[str, Any]):
             "customer": customer,
             "operator": operator,
             "specimen": specimen,
+            "date": date,
             "note": note,
             "logo": logo,
             "paper": paper,

@@ -286,7 +286,7 @@ def test_reports_equal_the_reports_of_the_command_line(tool, bat, monkeypatch):
     saved, printed = open("saved.html").read(), open("printed.html").read()
     assert "percuss analyze --band=60:3200 --json --quiet bat.h5" in saved
     assert saved == printed.replace(" -o printed.html", "")
-    stated = {"title": "Bat 7", "customer": "A", "operator": "B", "specimen": "C", "note": "D < E", "paper": "letter"}
+    stated = {"title": "Bat 7", "customer": "A", "operator": "B", "specimen": "C", "date": "1 May", "note": "D < E", "paper": "letter"}
     percuss.analyze("bat.h5", band=BAND).report("stated.html", **stated)
     options = [f"--{name}={value}" for name, value in stated.items()]
     tool("analyze", "--band=60:3200", "--json", "--quiet", "bat.h5", *options, "-o", "printed-stated.html")

@@ -49,6 +49,7 @@ report::TitleBlock title_block(const PageTitle& title) {
           .customer = title.customer,
           .operator_name = title.operator_name,
           .specimen = title.specimen,
+          .date = title.date,
           .note = title.note,
           .logo = title.logo.empty() ? "" : report::logo_of_file(title.logo),
           .facts = {}};

@@ -58,9 +58,10 @@ TEST(OptionFields, AreTheIdentifierAndItsUnit) {
 
 // Options that option_field() returns unchanged. They concern the terminal, the output files and their title block
 // (PageTitle in C++), or documents that json() does not contain.
-const std::set<std::string> kOfTheCommandLine{
-    "bat",  "bat_id",     "beam", "compare", "customer", "example", "explain", "frf",   "help",     "hits",  "json",
-    "logo", "modes_file", "note", "only",    "operator", "output",  "paper",   "quiet", "specimen", "title", "trace"};
+const std::set<std::string> kOfTheCommandLine{"bat",     "bat_id",     "beam",     "compare", "customer", "date",
+                                              "example", "explain",    "frf",      "help",    "hits",     "json",
+                                              "logo",    "modes_file", "note",     "only",    "operator", "output",
+                                              "paper",   "quiet",      "specimen", "title",   "trace"};
 
 TEST(OptionFields, ExistForTheOptionsOfTheCommandLine) {
   for (const char* const command : {"analyze", "frf", "survey", "deflect"}) {

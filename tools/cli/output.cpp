@@ -39,7 +39,7 @@ void check_pages(const OutputFlags& flags) {
   const bool page = std::any_of(flags.paths.begin(), flags.paths.end(), is_page);
   if (flags.title.given()) {
     if (!page && flags.host == nullptr) {
-      throw OptionError({"title", "customer", "operator", "specimen", "note", "logo", "paper"}, "need a page",
+      throw OptionError({"title", "customer", "operator", "specimen", "date", "note", "logo", "paper"}, "need a page",
                         "write a .html or .pdf file", {"output"});
     }
     title_block(flags.title);

@@ -33,7 +33,7 @@ std::string logo_of(const std::string& path) { return path.empty() ? "" : report
 }  // namespace
 
 bool TitleFlags::given() const {
-  return !(title + customer + operator_name + specimen + note + logo).empty() || paper != TitleFlags{}.paper;
+  return !(title + customer + operator_name + specimen + date + note + logo).empty() || paper != TitleFlags{}.paper;
 }
 
 void set_title_flag(TitleFlags& flags, const std::string& name, const std::string& value) {
@@ -41,6 +41,7 @@ void set_title_flag(TitleFlags& flags, const std::string& name, const std::strin
                                                                         {"customer", &TitleFlags::customer},
                                                                         {"operator", &TitleFlags::operator_name},
                                                                         {"specimen", &TitleFlags::specimen},
+                                                                        {"date", &TitleFlags::date},
                                                                         {"note", &TitleFlags::note},
                                                                         {"logo", &TitleFlags::logo},
                                                                         {"paper", &TitleFlags::paper}};
@@ -55,6 +56,8 @@ void add_title_flags(Command& command, TitleFlags& flags) {
   command.value("--customer", flags.customer, "State the customer on the page").type("TEXT");
   command.value("--operator", flags.operator_name, "State on the page who did the test").type("TEXT");
   command.value("--specimen", flags.specimen, "State on the page what was tested").type("TEXT");
+  command.value("--date", flags.date, "State on the page when the test was done (default: as the file states it)")
+      .type("TEXT");
   command.value("--note", flags.note, "Put this text, or the text of a file, at the top of the page")
       .type("TEXT|@FILE");
   command.value("--logo", flags.logo, "Put this picture at the top of the page (PNG, JPEG or SVG, at most 200 kB)")
@@ -70,6 +73,7 @@ report::TitleBlock title_block(const TitleFlags& flags) {
                            .customer = checked("customer", flags.customer),
                            .operator_name = checked("operator", flags.operator_name),
                            .specimen = checked("specimen", flags.specimen),
+                           .date = checked("date", flags.date),
                            .note = note_of(flags.note),
                            .logo = logo_of(flags.logo),
                            .facts = {}};

@@ -8,7 +8,7 @@ namespace percuss::tools {
 
 /// The options of the title block of a page, as typed.
 struct TitleFlags {
-  std::string title, customer, operator_name, specimen;
+  std::string title, customer, operator_name, specimen, date;
   std::string note;  // a text, or @FILE
   std::string logo;  // a file
   std::string paper = "a4";

@@ -39,7 +39,7 @@ std::string method_section(const pipeline::Analysis& analysis, const MethodScope
 }
 
 TitleBlock with_file_facts(TitleBlock block, const pipeline::Analysis& analysis) {
-  block.facts.insert(block.facts.begin(), {"Date of the test", dates_of(analysis.record().files)});
+  if (block.date.empty()) block.date = dates_of(analysis.record().files);
   return block;
 }
 

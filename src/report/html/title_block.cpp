@@ -44,7 +44,7 @@ std::string note_html(const std::string& note) {
 std::string page_header(const std::string& name, const std::string& conditions, const TitleBlock& block) {
   const std::string title = block.title.empty() ? name : one_line(block.title, kMaxText_bytes);
   std::string rows = row_html("Customer", block.customer) + row_html("Specimen", block.specimen) +
-                     row_html("Operator", block.operator_name);
+                     row_html("Operator", block.operator_name) + row_html("Date of the test", block.date);
   for (const auto& [what, text] : block.facts) rows += row_html(what, text);
   if (!block.title.empty()) rows += row_html("Record", name);
   const std::string logo =

@@ -19,6 +19,7 @@ struct TitleBlock {
   std::string customer;
   std::string operator_name;
   std::string specimen;
+  std::string date;  // of the test, in place of the date that the file states
   std::string note;  // lines, and paragraphs between empty lines
   std::string logo;  // a picture as a data URI (logo_data_uri), or empty
   std::string paper = kA4Paper.name;
