@@ -35,6 +35,10 @@ def table_frame(table: dict[str, np.ndarray]) -> Any:
     return pandas.DataFrame(dict(table))
 
 
+def rows_frame(rows: list[dict[str, Any]]) -> Any:
+    return optional_module("pandas", "to_dataframe()").DataFrame(rows)
+
+
 def frf_frame(frf: Any) -> Any:
     pandas = optional_module("pandas", "to_dataframe()")
     points, channels = frf.points.tolist(), range(frf.H.shape[1])

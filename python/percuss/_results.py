@@ -13,7 +13,7 @@ from . import _percuss
 from ._arrays import frozen
 from ._columns import columns_of_csv
 from ._errors import UsageError
-from ._optional import STYLE, table_frame
+from ._optional import STYLE, rows_frame, table_frame
 from ._pickle import PickledResult
 from ._plots import plot_curves
 from ._records import Record
@@ -215,6 +215,10 @@ class Deflection(Result):
         The arrays are read-only views of the result. Sample i lies at the time first_s + i / fs.
         """
         return curves_of(self._outcome)
+
+    def to_dataframe(self) -> Any:
+        """The peaks as a pandas.DataFrame: a row per hit and channel, a column per key of hits. Needs pandas."""
+        return rows_frame(self._parsed()["hits"])
 
     def plot(self, ax: Any = None) -> Any:
         """Draw the deflection under each impact over time. Needs matplotlib. Returns the axes."""

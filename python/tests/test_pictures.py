@@ -35,6 +35,8 @@ def test_tables_become_data_frames(found, bat):
     assert np.array_equal(responses[0, 1].to_numpy(), found.frf().at(0, 1))
     assert percuss.frf(bat, band=BAND).to_dataframe().shape == responses.shape
     assert len(percuss.models.trampoline(hoop=(1000, 500, 2500)).to_dataframe()) == 4
+    deflection = percuss.deflect(bat)
+    assert deflection.to_dataframe()["peak_m"].tolist() == [hit["peak_m"] for hit in deflection["hits"]]
     with pytest.raises(TypeError, match="no table"):
         percuss.info("none.h5").to_dataframe()
 
