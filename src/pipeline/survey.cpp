@@ -62,10 +62,15 @@ std::optional<identify::PatternPlane> plane_of(const std::optional<identify::Tub
   return identify::PatternPlane{*tube->plane_rad, tube->plane_std_rad, tube->order};
 }
 
+constexpr double kSameLine = 0.99;  // cosine of 8°
+
+double cosine_between(const acquire::Direction& a, const acquire::Direction& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 // Whether the directions are parallel or opposite, within 8°.
 bool on_one_line(const acquire::Direction& a, const acquire::Direction& b) {
-  constexpr double kSameLine = 0.99;  // cosine
-  return std::abs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) > kSameLine;
+  return std::abs(cosine_between(a, b)) > kSameLine;
 }
 
 }  // namespace
@@ -79,6 +84,7 @@ Survey::Survey(const Analysis& analysis, SurveyOptions options)
   place_points();
   find_motions();
   find_driving_points();
+  find_driving_signs();
 }
 
 int Survey::place_of(std::size_t point) const {
@@ -210,6 +216,19 @@ void Survey::find_driving_points() {
   }
 }
 
+// A geometry may state blows along −z beside a sensor along +z. The values keep their signs, so the residue is
+// negative.
+void Survey::find_driving_signs() {
+  const acquire::Record& record = analysis_.record();
+  const bool sensors = roving_ == identify::Roving::sensor;
+  for (identify::DrivingPoint& at : driving_) {
+    const auto* moving = acquire::find_motion(motions_, static_cast<int>(at.point), sensors ? at.channel : 0);
+    const auto& fixed = sensors ? record.force.axis : record.accel[at.channel].axis;
+    if (moving == nullptr || !moving->along || !fixed) continue;
+    if (cosine_between(*moving->along, *fixed) < -kSameLine) at.sign = -1;
+  }
+}
+
 const SurveyModes& Survey::split_modes() const {
   return within_budget(analysis_.budget(), split_modes_, [&] { return survey_modes(analysis_, roving_, driving_); });
 }
@@ -309,7 +328,8 @@ std::vector<identify::ReciprocityCheck> Survey::reciprocity() const {
   for (std::size_t i = 0; i < driving_.size(); ++i) {
     for (std::size_t j = i + 1; j < driving_.size(); ++j) {
       if (driving_[i].channel == driving_[j].channel) continue;
-      pairs.push_back({{driving_[i].point, driving_[j].channel}, {driving_[j].point, driving_[i].channel}});
+      pairs.push_back({{driving_[i].point, driving_[j].channel, driving_[j].sign},
+                       {driving_[j].point, driving_[i].channel, driving_[i].sign}});
     }
   }
   return identify::check_reciprocity(modes(), pairs);
@@ -323,6 +343,7 @@ std::vector<Warning> Survey::warnings() const {
   std::erase_if(out,
                 [](const Warning& warning) { return warning.code == "double_peak" || warning.code == "three_waves"; });
   const SurveyResults results{.accel = analysis_.record().accel,
+                              .has_samples = analysis_.given_frfs() == nullptr,
                               .modes = modes(),
                               .has_geometry = geometry_.has_value(),
                               .roving = roving_,

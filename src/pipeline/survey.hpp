@@ -84,6 +84,7 @@ class Survey {
   void place_points();
   void find_motions();
   void find_driving_points();
+  void find_driving_signs();
   std::optional<identify::TubeShape> shape_on_tube(const identify::ModeShape& shape) const;
   std::vector<identify::ModeClassification> classify_by_shapes() const;
   identify::LowerOrders lower_orders(const std::vector<identify::ModeClassification>& found) const;

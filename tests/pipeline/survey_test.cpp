@@ -409,6 +409,44 @@ TEST(Survey, WarnsOfAWrongDrivingPointSignAndBrokenReciprocity) {
   EXPECT_THAT(Survey(bad, {}).warnings(), Contains(Field(&Warning::code, "driving_point_sign")));
 }
 
+// The remedy of a reversed sensor names what to state. The blows may also go the other way, as the geometry states.
+TEST(Survey, AllowsForBlowsAgainstTheSensor) {
+  synth::SynthSpec spec = roving(barrel(), 2);
+  spec.modes.resize(2);
+  const auto masses_of = [](const Survey& survey) {
+    std::vector<double> out;
+    for (const identify::ModeShape& shape : survey.shapes()) out.push_back(shape.modal_mass_kg.value_or(0));
+    return out;
+  };
+  AnalysisOptions options = in_band();
+  options.classes.object = identify::ObjectKind::other;
+  const std::vector<identify::DrivingPoint> driving{{.point = 0, .channel = 0}};
+  const acquire::Record aligned = synth::synthesise(spec).record;
+  const Analysis first(aligned, options);
+  const auto masses = masses_of(Survey(first, {.driving = driving}));
+  ASSERT_EQ(masses.size(), 2U);
+  EXPECT_GT(masses[0], 0);
+  spec.sensors[0].sign = -1;
+  acquire::Record record = synth::synthesise(spec).record;
+  record.accel[0].axis = acquire::Direction{0, 0, 1};
+  const Analysis analysis(record, options);
+  acquire::Geometry geometry;
+  for (int p = 0; p < 16; ++p) geometry.points.push_back({.point = p, .xyz_m = std::array<double, 3>{0.1 * p, 0, 0}});
+  const Survey unstated(analysis, {.geometry = geometry, .driving = driving});
+  const auto warnings = unstated.warnings();
+  const auto sign =
+      std::find_if(warnings.begin(), warnings.end(), [](const auto& w) { return w.code == "driving_point_sign"; });
+  ASSERT_NE(sign, warnings.end());
+  EXPECT_THAT(sign->remedy, HasSubstr("without a set-up, the scale -1"));
+  EXPECT_THAT(sign->options, testing::ElementsAre("setup", "accel_scale"));
+  for (acquire::GeometryPoint& point : geometry.points) point.along = acquire::Direction{0, 0, -1};
+  const Survey stated(analysis, {.geometry = geometry, .driving = driving});
+  EXPECT_THAT(stated.warnings(), Not(Contains(Field(&Warning::code, "driving_point_sign"))));
+  const auto found = masses_of(stated);
+  ASSERT_EQ(found.size(), masses.size());
+  for (std::size_t m = 0; m < found.size(); ++m) EXPECT_NEAR(found[m], masses[m], 1e-3 * masses[m]) << m;
+}
+
 // The second of two fixed sensors was mounted the other way round before the last four points were struck.
 TEST(SurveyWarnings, NameThePointsAtWhichASensorWasReversed) {
   synth::SynthSpec spec = roving(barrel(), 2);

@@ -84,6 +84,7 @@ double unit_to_SI(const std::string& unit, Quantity measures, const std::string&
 
 SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* setup) {
   SignalOverrides choice = from_setup(setup);
+  if (choice.axis) choice.sign = 1;
   if (!options.force_scale.empty()) choice.scale = options.force_scale.front();
   override_value(choice.sensitivity_V_per_SI, options.force_sensitivity_V_per_N);
   if (!options.force_unit.empty()) choice.unit = options.force_unit;
@@ -113,6 +114,8 @@ SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* 
   override_value(choice.position_m, entry(options.position_m, at, "position"));
   return choice;
 }
+
+double response_sign(const ChannelSetup* force) { return force != nullptr && force->axis ? force->sign : 1; }
 
 bool states_scale(const SignalInfo& signal, const SignalOverrides& choice) {
   return !signal.unit.empty() || !choice.unit.empty() || choice.scale || choice.sensitivity_V_per_SI;

@@ -20,7 +20,8 @@ struct SignalOverrides {
   std::optional<double> angle_rad, position_m;
 };
 
-/// For the force; `setup` is its entry or nullptr. Options override the set-up.
+/// For the force; `setup` is its entry or nullptr. Options override the set-up. A stated direction does not change the
+/// sign of the force, because a pulse is positive along it; it changes the sign of the responses, see response_sign.
 SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* setup);
 
 /// For acceleration channel `index` of the `count` that are read.
@@ -29,6 +30,11 @@ SignalOverrides force_overrides(const ReadOptions& options, const ChannelSetup* 
 /// values.
 SignalOverrides accel_overrides(const ReadOptions& options, const ChannelSetup* setup, std::size_t index,
                                 std::size_t count, const std::string& where);
+
+/// −1 for responses to a force whose set-up states a direction along −x, −y or −z, else 1: the responses to the
+/// opposite blow have the other sign. `force` is the set-up of the force, or nullptr. Multiplies the sign of each
+/// acceleration.
+double response_sign(const ChannelSetup* force);
 
 /// Whether the file (signal.unit) or the user states the size of the stored numbers: a unit, scale or sensitivity.
 bool states_scale(const SignalInfo& signal, const SignalOverrides& choice);

@@ -91,10 +91,12 @@ void describe_table(ScaledTable& open, const ReadOptions& options, Record& recor
   const SignalTable& table = open.table;
   const auto place = [&](const SignalInfo& signal) { return table_name(table) + ": " + signal.name; };
   record.has_force = open.roles.has_force;
+  double sign = 1;  // of the responses
   if (record.has_force) {
-    const CsvColumn force = column_of(table, open.roles.force);
+    const ChannelSetup* const setup = setup_of(column_of(table, open.roles.force), options);
+    sign = response_sign(setup);
     record.force = described_signal(table, open.roles.force);
-    SignalOverrides choice = force_overrides(options, setup_of(force, options));
+    SignalOverrides choice = force_overrides(options, setup);
     const bool assumed = complete_unit(record.force, table.signals[open.roles.force], choice);
     apply_force_overrides(record.force, choice, place(record.force), record.notes);
     if (assumed) mark_unit_assumed(record.force);
@@ -106,6 +108,7 @@ void describe_table(ScaledTable& open, const ReadOptions& options, Record& recor
     SignalInfo signal = described_signal(table, index);
     SignalOverrides choice =
         accel_overrides(options, setup_of(column_of(table, index), options), c, count, table_name(table));
+    choice.sign *= sign;
     const bool stated_pressure = !record.has_force && signal.unit.empty() && choice.unit.empty() &&
                                  table.signals[index].measures == Quantity::pressure;
     const bool assumed = complete_unit(signal, table.signals[index], choice);

@@ -139,7 +139,7 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
   record.kind = frf_kind_of(stored, options, record.notes);
   const auto channels = chosen_channels(options.read, record.accel.size(), where);
   const SignalOverrides force = force_overrides(options.read, force_setup(options.read));
-  const double force_to_SI = force.sign * force_factor(force, stored, where);
+  const double force_to_SI = force.sign * response_sign(force_setup(options.read)) * force_factor(force, stored, where);
   std::vector<SignalInfo> accel;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const ChannelSetup* setup = accel_setup(options.read, channels[i], record.accel.size());

@@ -128,10 +128,13 @@ void normalise_largest(ModeShape& shape) {
 // significantly positive.
 bool normalise_mass(ModeShape& shape, const Mode& mode, const ShapeOptions& options) {
   const Residue* best = nullptr;
+  Complex square;  // φ_d² of the best one
   for (const DrivingPoint& at : options.driving) {
     const Residue* r = find_residue(mode, at.point, at.channel);
-    if (r == nullptr || !(r->value.real() > kSignificant * total_std(*r))) continue;
-    if (best == nullptr || r->value.real() * total_std(*best) > best->value.real() * total_std(*r)) best = r;
+    if (r == nullptr || !(at.sign * r->value.real() > kSignificant * total_std(*r))) continue;
+    if (best != nullptr && at.sign * r->value.real() * total_std(*best) <= square.real() * total_std(*r)) continue;
+    best = r;
+    square = at.sign * r->value;
   }
   if (best == nullptr) return false;
   const bool hammer = options.roving == Roving::hammer;
@@ -139,7 +142,7 @@ bool normalise_mass(ModeShape& shape, const Mode& mode, const ShapeOptions& opti
     return p.point == best->point && (hammer || p.channel == best->channel);
   });
   if (at == shape.places.end() || at->value == Complex()) return false;
-  const Complex by = std::sqrt(best->value) / at->value;  // the root with positive real part
+  const Complex by = std::sqrt(square) / at->value;  // the root with positive real part
   scale(shape.places, by);
   scale(shape.sensors, 1.0 / by);
   at->sets_scale = true;

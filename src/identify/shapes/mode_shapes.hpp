@@ -14,8 +14,9 @@ enum class Roving { hammer, sensor };
 struct FrfIndex {
   std::size_t point = 0;
   std::size_t channel = 0;
+  double sign = 1;  // of A_pc at a driving point: −1 where a positive force and a positive response are opposite
 };
-/// An impact point and a sensor at the same place and in the same direction.
+/// An impact point and a sensor at the same place, in the same or in opposite directions.
 using DrivingPoint = FrfIndex;
 
 enum class Normalisation { unit_modal_mass, largest_one };
@@ -58,9 +59,9 @@ Complex turn_of(const std::vector<ShapePlace>& places);
 /// The mode shape φ from the residues A_pc = φ_p φ_c.
 ///   roving hammer  φ_p and φ_c by weighted rank-one least squares over all points and channels;
 ///   roving sensor  every (point, channel) is a separate place, φ_pc ∝ A_pc.
-/// With a driving point, where A_dd = φ_d² is significantly positive, the shape has unit modal mass (1/√kg). Otherwise
-/// the shape is rotated to be as real as possible, and its largest component is 1. The sign makes φ_d, or the largest
-/// component, positive.
+/// With a driving point, where φ_d² = A_dd times its sign is significantly positive, the shape has unit modal mass
+/// (1/√kg). Otherwise the shape is rotated to be as real as possible, and its largest component is 1. The sign makes
+/// φ_d, or the largest component, positive.
 /// MPC = ((S_xx − S_yy)² + 4 S_xy²)/(S_xx + S_yy)², S the sums of squares and products of real (x) and imaginary (y)
 /// parts.
 /// source  [4] in docs/theory/sources.md.

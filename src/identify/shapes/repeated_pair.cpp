@@ -225,8 +225,8 @@ std::optional<std::pair<Index, Index>> best_driving(const ResidueMatrix& residue
   double most = kSignificant;
   for (const DrivingPoint& at : driving) {
     const Residue* r = find_residue(mode, at.point, at.channel);
-    if (r == nullptr || !(r->value.real() > most * total_std(*r))) continue;
-    most = total_std(*r) > 0 ? r->value.real() / total_std(*r) : most;
+    if (r == nullptr || !(at.sign * r->value.real() > most * total_std(*r))) continue;
+    most = total_std(*r) > 0 ? at.sign * r->value.real() / total_std(*r) : most;
     best = {static_cast<Index>(at.point), static_cast<Index>(at.channel)};
   }
   return best && best->first < residues.value.rows() ? best : std::nullopt;

@@ -126,12 +126,18 @@ Warning negative_force(const acquire::Record& record, const std::vector<Analysed
                        const HitsWithFinding& negative, const PointNames& names) {
   const std::string down_to = fmt::format("is negative during the pulse, down to {:.4g} N", negative.least);
   if (negative.hits.size() == accepted_hits(hits).size()) {
-    return with_remedy(
-        {"polarity",
-         fmt::format("the force of {} {}: the FRFs have the wrong sign", hit_list(negative.hits), down_to),
-         {"setup", "force_scale"}},
-        R"(state "sign": -1 for the force in the set-up, or remove it where it is stated; or )"
-        "give the scale of the force the other sign");
+    Warning all{"polarity",
+                fmt::format("the force of {} {}: the FRFs have the wrong sign", hit_list(negative.hits), down_to),
+                {"setup", "force_scale"}};
+    if (record.force.axis) {  // the set-up of a direction has no sign
+      all.options = {"force_scale"};
+      return with_remedy(std::move(all),
+                         "give the scale of the force the other sign: a pulse is positive along the "
+                         "stated direction");
+    }
+    return with_remedy(std::move(all),
+                       R"(state "sign": -1 for the force in the set-up, or remove it where it is stated; or )"
+                       "give the scale of the force the other sign");
   }
   Warning warning{"polarity", fmt::format("the force of {} {}, and positive at all other hits: the FRFs have the wrong "
                                           "sign there",

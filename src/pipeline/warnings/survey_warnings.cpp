@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "core/error.hpp"
@@ -143,15 +144,49 @@ std::string wrong_signs(const SurveyResults& survey) {
   return out;
 }
 
+// The channels at whose driving points every significant residue has the wrong sign.
+std::set<std::size_t> reversed_channels(const SurveyResults& survey) {
+  std::set<std::size_t> wrong;
+  for (const identify::DrivingPointCheck& check : survey.driving_checks) {
+    if (check.wrong_sign) wrong.insert(check.at.channel);
+  }
+  for (const identify::DrivingPointCheck& check : survey.driving_checks) {
+    if (check.right_sign) wrong.erase(check.at.channel);
+  }
+  return wrong;
+}
+
+Warning wrong_driving_signs(const SurveyResults& survey, const std::string& wrong) {
+  const bool opposite = std::any_of(survey.driving_checks.begin(), survey.driving_checks.end(),
+                                    [](const auto& check) { return check.at.sign < 0; });
+  const std::string must = opposite ? "have the sign that the stated directions give" : "be positive";
+  Warning warning{"driving_point_sign",
+                  fmt::format("a driving point's residue must {}, and {} not for {}: the sensor or the hammer may "
+                              "point the other way, or they may not be at the same point. Modal masses and the sign "
+                              "of shapes are wrong then",
+                              must, opposite ? "has it" : "is", wrong)};
+  std::string remedy = "check direction and place of the sensor and of the hits";
+  const std::set<std::size_t> channels = reversed_channels(survey);
+  if (channels.empty()) return with_remedy(std::move(warning), remedy);
+  std::string names, scales;
+  for (const std::size_t c : channels) add_name(names, sensor_name(survey.accel, c));
+  for (std::size_t c = 0; c < survey.accel.size(); ++c)
+    scales += fmt::format("{}{:.9g}", c == 0 ? "" : ",", (channels.contains(c) ? -1 : 1) * survey.accel[c].to_SI);
+  remedy += fmt::format(
+      R"(. If {} points against the blows, state the directions of force and sensor in the set-up, or "sign": -1 for )"
+      "the sensor (remove it where it is stated)",
+      names);
+  warning.options = {"setup"};
+  if (survey.has_samples) {
+    remedy += fmt::format("; or, without a set-up, the scale {}", scales);
+    warning.options.emplace_back("accel_scale");
+  }
+  return with_remedy(std::move(warning), remedy);
+}
+
 void warn_of_signs(const SurveyResults& survey, std::vector<Warning>& out) {
   const std::string wrong = wrong_signs(survey);
-  if (!wrong.empty()) {
-    out.push_back(with_remedy(
-        {"driving_point_sign", "a driving point's residue must be positive, and is not for " + wrong +
-                                   ": the sensor or the hammer may point the other way, or they may not be at the same "
-                                   "point. Modal masses and the sign of shapes are wrong then"},
-        "check direction and place of the sensor and of the hits"));
-  }
+  if (!wrong.empty()) out.push_back(wrong_driving_signs(survey, wrong));
   std::string broken;
   for (const identify::ReciprocityCheck& check : survey.reciprocity) {
     if (check.difference > kMaxDifference && check.deviations > kMaxDeviations) {

@@ -16,6 +16,7 @@ namespace percuss::pipeline {
 /// The results that a survey's warnings are made from; [modes] unless stated otherwise.
 struct SurveyResults {
   const std::vector<acquire::SignalInfo>& accel;  // [channels]
+  bool has_samples = false;                       // of time signals: to_SI is per stored unit of the channel
   const std::vector<identify::Mode>& modes;
   bool has_geometry = false;
   identify::Roving roving = identify::Roving::hammer;

@@ -93,7 +93,6 @@ std::string scale_text(const pipeline::Survey& survey) {
   const auto unit = std::count_if(shapes.begin(), shapes.end(), [](const identify::ModeShape& s) {
     return s.normalisation == identify::Normalisation::unit_modal_mass;
   });
-  if (unit == 0) return "shapes: scaled to 1 at their largest component, because no driving point is known\n";
   std::string points;
   const pipeline::Analysis& analysis = survey.analysis();
   for (const identify::DrivingPoint& at : survey.driving_points()) {
@@ -106,6 +105,14 @@ std::string scale_text(const pipeline::Survey& survey) {
       name += " (" + sensor + ")";
     }
     points += fmt::format("{}point {}", points.empty() ? "" : ", ", name);
+  }
+  if (unit == 0) {
+    const auto checks = survey.driving_checks();
+    const bool wrong = std::any_of(checks.begin(), checks.end(), [](const auto& check) { return check.wrong_sign; });
+    const std::string reason = points.empty() ? "no driving point is known"
+                                              : fmt::format("the residues at the driving {} {}", points,
+                                                            wrong ? "have the wrong sign" : "are within their noise");
+    return fmt::format("shapes: scaled to 1 at their largest component, because {}\n", reason);
   }
   return fmt::format(
       "shapes: unit modal mass, from the driving {}{}\n", points,

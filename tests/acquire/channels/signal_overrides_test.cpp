@@ -109,6 +109,18 @@ TEST(SignalOverrides, PrefersOptionsToTheSetup) {
   EXPECT_EQ(force_overrides({}, nullptr).sign, 1);
 }
 
+// A pulse is positive along the stated direction. The responses get the sign for the opposite blow.
+TEST(SignalOverrides, KeepTheSignOfAForceAlongANegativeDirection) {
+  const ChannelSetup down{.sign = -1, .axis = Direction{0, 0, 1}}, up{.axis = Direction{0, 0, 1}}, reversed{.sign = -1};
+  EXPECT_EQ(force_overrides({}, &down).sign, 1);
+  EXPECT_EQ(force_overrides({}, &down).axis, down.axis);
+  EXPECT_EQ(response_sign(&down), -1);
+  EXPECT_EQ(response_sign(&up), 1);
+  EXPECT_EQ(force_overrides({}, &reversed).sign, -1);
+  EXPECT_EQ(response_sign(&reversed), 1);
+  EXPECT_EQ(response_sign(nullptr), 1);
+}
+
 TEST(SignalOverrides, RefusesListsOfAnotherLength) {
   EXPECT_THAT(input_error_of([] {
                 accel_overrides({.accel_scale = {1, 2, 3}}, nullptr, 0, 2, "x.csv");

@@ -37,6 +37,18 @@ TEST(RecordOfTable, AssumesTheSiUnitOfTheQuantity) {
   EXPECT_THAT(record.notes, testing::IsSupersetOf({tip, microphone}));
 }
 
+TEST(RecordOfTable, TurnsTheResponsesToABlowAlongANegativeDirection) {
+  SignalTable table{.format = "MAT",
+                    .fs_Hz = 1000,
+                    .signals = {{.name = "f", .unit = "N"}, {.name = "a", .unit = "g"}},
+                    .rows = {{.samples = 4}},
+                    .read = [](std::size_t, std::size_t, std::size_t, std::span<double>) {}};
+  const ReadOptions options{.setup = {{.name = "f", .sign = -1, .axis = Direction{0, 0, 1}}}};
+  const Record record = record_of_table(table, {.force = 0, .has_force = true, .accel = {1}}, options);
+  EXPECT_EQ(record.force.to_SI, 1);
+  EXPECT_EQ(record.accel.at(0).to_SI, -kStandardGravity_mps2);
+}
+
 TEST(FindRoles, ListsTheShapesOfArraysThatAreAmbiguous) {
   SignalTable table{
       .format = "MAT",

@@ -97,6 +97,9 @@ TEST(StoredFrfs, TurnsTheSignOfASensorThatPointsBackwards) {
   EXPECT_EQ(line(record, 0, 1), Complex(1, 0));
   EXPECT_EQ(line(record, 1, 1), Complex(-1, 0));
   EXPECT_EQ(record.accel[1].angle_rad, 1.0);
+  const auto down =
+      to_accelerances(stored(), {.read = {.setup = {{.name = "force", .sign = -1, .axis = Direction{0, 0, 1}}}}});
+  EXPECT_EQ(line(down, 0, 1), Complex(-1, 0));
   const auto hammer = to_accelerances(stored(), {.read = {.setup = {{.name = "force", .sign = -1}}}});
   EXPECT_EQ(line(hammer, 0, 1), Complex(-1, 0));
 }

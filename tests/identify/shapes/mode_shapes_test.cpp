@@ -40,6 +40,17 @@ TEST(Shape, HasUnitModalMassWithADrivingPoint) {
   EXPECT_NEAR(*shape.modal_mass_kg, 1 / (1.2 * 1.2), kRounding);
 }
 
+// The hammer strikes along −z where the sensor measures along +z: A_dd = −φ_d².
+TEST(Shape, HasUnitModalMassWhereForceAndSensorAreOpposite) {
+  const std::vector<Complex> phi{0.3, -1.2, 0.6};
+  const Mode mode = mode_of(phi, {-phi[1]});
+  EXPECT_FALSE(shape_of(mode, {.driving = {{.point = 1, .channel = 0}}}).modal_mass_kg);
+  const ModeShape shape = shape_of(mode, {.driving = {{.point = 1, .channel = 0, .sign = -1}}});
+  for (std::size_t p = 0; p < phi.size(); ++p) EXPECT_NEAR(std::abs(shape.places[p].value + phi[p]), 0, kRounding);
+  EXPECT_NEAR(std::abs(shape.sensors[0].value - phi[1]), 0, kRounding);
+  EXPECT_NEAR(shape.modal_mass_kg.value_or(0), 1 / (1.2 * 1.2), kRounding);
+}
+
 TEST(Shape, SeparatesTheStandardDeviationOfTheScale) {
   // δφ/φ = ½ δA/A
   const ModeShape shape = shape_of(mode_of({2.0, 1.0}, {2.0}, 0.04), {.driving = {{.point = 0, .channel = 0}}});

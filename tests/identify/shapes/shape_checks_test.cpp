@@ -19,6 +19,15 @@ TEST(DrivingPointCheck, FindsAResidueThatIsNotPositive) {
   EXPECT_FALSE(checks[2].wrong_sign) << "two standard deviations are no proof";
 }
 
+TEST(DrivingPointCheck, ExpectsTheSignOfTheDirections) {
+  const std::vector<Mode> modes{mode_with({{.point = 3, .channel = 0, .value = -2.0, .std = 0.1}}),
+                                mode_with({{.point = 3, .channel = 0, .value = 2.0, .std = 0.1}})};
+  const auto checks = check_driving_points(modes, {{.point = 3, .channel = 0, .sign = -1}});
+  ASSERT_EQ(checks.size(), 2U);
+  EXPECT_TRUE(checks[0].right_sign && !checks[0].wrong_sign);
+  EXPECT_TRUE(!checks[1].right_sign && checks[1].wrong_sign);
+}
+
 TEST(DrivingPointCheck, SkipsUnmeasuredPoints) {
   EXPECT_TRUE(check_driving_points({mode_with({{.point = 1, .value = 1.0}})}, {{.point = 2, .channel = 0}}).empty());
 }
@@ -41,6 +50,14 @@ TEST(ReciprocityCheck, HoldsForTheResiduesOfOneShape) {
   }
   const auto checks =
       check_reciprocity({mode_with(residues)}, {{{.point = 0, .channel = 1}, {.point = 1, .channel = 0}}});
+  EXPECT_LE(checks[0].deviations, kRounding);
+}
+
+// The second sensor is opposite to the blow at its point.
+TEST(ReciprocityCheck, AllowsForOppositeDirections) {
+  const Mode mode = mode_with(
+      {{.point = 0, .channel = 1, .value = -1.0, .std = 0.01}, {.point = 1, .channel = 0, .value = 1.0, .std = 0.01}});
+  const auto checks = check_reciprocity({mode}, {{{.point = 0, .channel = 1, .sign = -1}, {.point = 1, .channel = 0}}});
   EXPECT_LE(checks[0].deviations, kRounding);
 }
 

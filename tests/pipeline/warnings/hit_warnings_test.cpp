@@ -123,6 +123,20 @@ TEST(HitWarnings, TurnTheWholeForceOnlyWhereAllHitsAreNegative) {
   EXPECT_THAT(all.options, testing::ElementsAre("setup", "force_scale"));
 }
 
+// A set-up that states a direction cannot state a sign.
+TEST(HitWarnings, TurnTheScaleOfAForceWithADirection) {
+  DisagreeingTest test = survey_with({});
+  test.record.force.axis = acquire::Direction{0, 0, 1};
+  for (AnalysedHit& hit : test.hits)
+    hit.hit.findings.push_back({.code = acquire::FindingCode::polarity, .value = -100});
+  const auto warnings = hit_warnings(test.record, test.hits, PointNames(test.record, test.record.points()));
+  const auto polarity =
+      std::find_if(warnings.begin(), warnings.end(), [](const auto& w) { return w.code == "polarity"; });
+  ASSERT_NE(polarity, warnings.end());
+  EXPECT_THAT(polarity->remedy, testing::Not(testing::HasSubstr("sign\"")));
+  EXPECT_THAT(polarity->options, testing::ElementsAre("force_scale"));
+}
+
 // One sign for the channel would turn the hits of the other points.
 TEST(HitWarnings, TurnTheFilesOfThePointsWhoseForceIsNegative) {
   const Warning one = polarity_in({3, 4, 5});

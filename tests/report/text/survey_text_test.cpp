@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "pipeline/survey.hpp"
 #include "support/text_parts.hpp"
@@ -44,6 +47,27 @@ TEST(SurveyText, JudgesTheFrfsWithTheModesThatAreNotListed) {
   EXPECT_THAT(all, testing::StartsWith(": lowest FRAC of the strong FRFs 0.99"));
   EXPECT_THAT(one, testing::StartsWith(" and the "));
   EXPECT_THAT(one, testing::EndsWith(" not listed" + all));
+}
+
+// A driving point whose residues are negative is known, but gives no scale.
+TEST(SurveyText, SaysWhyADrivingPointGivesNoScale) {
+  synth::SynthSpec spec = synth::synth_preset("plate");
+  const auto reason = [&](double sign, std::vector<identify::DrivingPoint> driving) {
+    spec.sensors.at(0).sign = sign;
+    acquire::Record record = synth::synthesise(spec).record;
+    record.driving.clear();
+    record.geometry.clear();  // no position shows a driving point
+    const pipeline::Analysis analysis(
+        record, {.band_Hz = std::pair{40.0, 250.0}, .modes = {.effort = identify::Effort::quick}});
+    const std::string all = survey_text(pipeline::Survey(analysis, {.driving = std::move(driving)}), false, 100);
+    return test::between(all, "shapes: ", "\n");
+  };
+  const std::string none = "scaled to 1 at their largest component, because ";
+  EXPECT_EQ(reason(1, {}), none + "no driving point is known");
+  EXPECT_THAT(reason(1, {{.point = 0}}), testing::StartsWith("unit modal mass"));
+  EXPECT_THAT(reason(-1, {{.point = 0}}),
+              testing::AllOf(testing::StartsWith(none + "the residues at the driving point "),
+                             testing::EndsWith("have the wrong sign")));
 }
 
 }  // namespace percuss::report::survey_text_test

@@ -107,7 +107,8 @@ void describe_signals(OpenRecord& open, const ReadOptions& options, Record& reco
     if (place) signal.position_m = position_m[*place];
     if (place && angle_deg[*place]) signal.angle_rad = *angle_deg[*place] * kDegree_rad;
     const bool placed = named.is_force && (signal.position_m || signal.angle_rad);
-    const SignalOverrides choice = accel_overrides(options, setup_of(open, named, options), i, count, open.file.path());
+    SignalOverrides choice = accel_overrides(options, setup_of(open, named, options), i, count, open.file.path());
+    if (open.roles.force) choice.sign *= response_sign(setup_of(open, *open.roles.force, options));
     const bool assumed = !states_scale(signal, choice);
     apply_overrides(signal, choice, response_quantity(signal, choice, record.has_force),
                     open.set_of(named).where() + ", " + signal.name);

@@ -53,7 +53,8 @@ SignalInfo describe_accel(const CsvColumns& columns, const ReadOptions& options,
   const CsvColumn& column = columns.accel[index];
   const std::size_t count = columns.accel.size();
   SignalInfo signal{.name = column.name, .unit = column.unit};
-  const SignalOverrides choice = accel_overrides(options, setup_of(column, options), index, count, file);
+  SignalOverrides choice = accel_overrides(options, setup_of(column, options), index, count, file);
+  if (columns.has_force) choice.sign *= response_sign(setup_of(columns.force, options));
   const bool assumed = !states_scale(signal, choice);
   apply_overrides(signal, choice, response_quantity(signal, choice, columns.has_force),
                   file + ": column " + column.name);

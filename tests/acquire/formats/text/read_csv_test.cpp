@@ -103,6 +103,16 @@ TEST(ReadCsv, AppliesTheChannelSetUp) {
   EXPECT_EQ(record.accel.at(0).position_m, 0.1);
 }
 
+TEST(ReadCsv, TurnsTheResponsesToABlowAlongANegativeDirection) {
+  ReadOptions options;
+  options.setup = {{.name = "force_N", .sign = -1, .axis = Direction{0, 0, 1}},
+                   {.name = "acc_mps2", .axis = Direction{0, 0, 1}}};
+  const Record record = csv_record("t_s,force_N,acc_mps2\n0,1,2\n0.1,3,4\n0.2,5,6\n", options);
+  EXPECT_THAT(force_N(record), ElementsAre(1, 3, 5));
+  EXPECT_THAT(accel_mps2(record), ElementsAre(-2, -4, -6));
+  EXPECT_EQ(record.force.axis, (Direction{0, 0, 1}));
+}
+
 TEST(ReadCsv, ParsesOnlyTheColumnsRead) {
   const Record record = csv_record("t_s,force_N,acc_g\n0,1,2\n0.1,3,over\n0.2,5,6\n");
   EXPECT_THAT(force_N(record), ElementsAre(1, 3, 5));
