@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 #include "metrics/common_orders.hpp"
@@ -13,6 +14,9 @@ namespace percuss::metrics {
 namespace {
 
 constexpr double kSamePlace_m = 1e-6;
+constexpr double kAgreeingMac = 0.9;   // of the shapes of a distant pair
+constexpr double kFurthestFactor = 2;  // between the frequencies of a distant pair
+constexpr double kFurthestSteps = 10;  // per 100 % of the limit that pairs them
 
 // Whether the modes may be of one kind. Only classified modes state whether they are the second peak of a split mode.
 bool kinds_agree(const ComparedMode& a, const ComparedMode& b) {
@@ -46,11 +50,19 @@ ModePair pair_of(const ComparedDocument& a, const ComparedDocument& b, std::size
   return pair;
 }
 
-// Pairs with the best MAC first.
-std::vector<ModePair> by_shape(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options) {
+std::vector<std::size_t> all_modes_of(const ComparedDocument& document) {
+  std::vector<std::size_t> modes(document.modes.size());
+  std::iota(modes.begin(), modes.end(), std::size_t{0});
+  return modes;
+}
+
+// Pairs of the modes `of_a` and `of_b`, with the best MAC first.
+std::vector<ModePair> by_shape(const ComparedDocument& a, const ComparedDocument& b,
+                               const std::vector<std::size_t>& of_a, const std::vector<std::size_t>& of_b,
+                               const PairOptions& options) {
   std::vector<ModePair> all, chosen;
-  for (std::size_t i = 0; i < a.modes.size(); ++i) {
-    for (std::size_t k = 0; k < b.modes.size(); ++k) {
+  for (const std::size_t i : of_a) {
+    for (const std::size_t k : of_b) {
       if (!frequencies_match(a.modes[i], b.modes[k], options.furthest)) continue;
       ModePair pair = pair_of(a, b, i, k);
       pair.by = PairedBy::shape;
@@ -267,7 +279,8 @@ std::vector<std::size_t> modes_of_order(const ComparedDocument& document, const 
 
 PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options) {
   const CommonOrders orders(a, b, options.furthest_of_orders);
-  PairedModes out{.pairs = by_shape(a, b, options), .doubted_orders = orders.doubted()};
+  PairedModes out{.pairs = by_shape(a, b, all_modes_of(a), all_modes_of(b), options),
+                  .doubted_orders = orders.doubted()};
   const auto add = [&](const std::vector<ModePair>& pairs) {
     out.pairs.insert(out.pairs.end(), pairs.begin(), pairs.end());
   };
@@ -289,6 +302,28 @@ PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, con
   };
   out.unpaired_a = rest(a, &ModePair::a);
   out.unpaired_b = rest(b, &ModePair::b);
+  return out;
+}
+
+std::vector<DistantPair> distant_pairs(const ComparedDocument& a, const ComparedDocument& b, const PairedModes& paired,
+                                       const PairOptions& options) {
+  std::vector<DistantPair> out;
+  PairOptions wider = options;
+  wider.min_mac = std::max(kAgreeingMac, options.min_mac);
+  wider.furthest = kFurthestFactor - 1;
+  for (const ModePair& pair : by_shape(a, b, paired.unpaired_a, paired.unpaired_b, wider)) {
+    const double x_Hz = a.modes[pair.a].freq_Hz, y_Hz = b.modes[pair.b].freq_Hz;
+    const double difference = y_Hz / x_Hz - 1;
+    if (std::abs(difference) <= options.furthest || x_Hz > kFurthestFactor * y_Hz) continue;
+    PairOptions enough = options;
+    enough.furthest = std::ceil(kFurthestSteps * std::abs(difference)) / kFurthestSteps;
+    const auto then = by_shape(a, b, all_modes_of(a), all_modes_of(b), enough);
+    const bool pairs =
+        std::any_of(then.begin(), then.end(), [&](const ModePair& one) { return one.a == pair.a && one.b == pair.b; });
+    if (!pairs) continue;  // one of them then has a partner of a better MAC
+    out.push_back({.a = pair.a, .b = pair.b, .mac = *pair.mac, .difference = difference, .furthest = enough.furthest});
+  }
+  std::sort(out.begin(), out.end(), [](const DistantPair& x, const DistantPair& y) { return x.a < y.a; });
   return out;
 }
 

@@ -108,6 +108,20 @@ struct PairedModes {
 /// modes of one of the pairs.
 PairedModes pair_modes(const ComparedDocument& a, const ComparedDocument& b, const PairOptions& options = {});
 
+/// Two modes without a partner whose shapes agree (MAC of 0.9 or more), although their frequencies differ by more than
+/// PairOptions::furthest, as after a stiffener was added.
+struct DistantPair {
+  std::size_t a = 0, b = 0;  // indices of the modes
+  identify::Mac mac;
+  double difference = 0;  // of b relative to a
+  double furthest = 0;    // a value of PairOptions::furthest that pairs them
+};
+
+/// The distant pairs among the modes that pair_modes(a, b, options) left without a partner, ascending by a. The
+/// frequencies of a pair differ by a factor of two at most.
+std::vector<DistantPair> distant_pairs(const ComparedDocument& a, const ComparedDocument& b, const PairedModes& paired,
+                                       const PairOptions& options = {});
+
 /// The MAC of two modes at their common places; nothing for fewer than three.
 std::optional<identify::Mac> mac_between(const ComparedMode& a, const ComparedMode& b);
 

@@ -1,6 +1,7 @@
 // Modes of the test, their types, and the modes of single hits.
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "core/parallel/parallel.hpp"
 #include "identify/hits/drift_removal.hpp"
@@ -22,6 +23,16 @@ constexpr int kDriftPasses = 2;  // the first pass uses residues of FRFs that st
 std::vector<Tone> joined(std::vector<Tone> tones, const std::vector<Tone>& more) {
   tones.insert(tones.end(), more.begin(), more.end());
   return tones;
+}
+
+// The mode in the band that misfits most; nullptr where none misfits much.
+const identify::Mode* most_misfitting(const std::vector<identify::Mode>& modes, std::pair<double, double> band_Hz) {
+  const identify::Mode* most = nullptr;
+  for (const identify::Mode& mode : modes) {
+    if (mode.pole.freq_Hz < band_Hz.first || mode.pole.freq_Hz > band_Hz.second) continue;
+    if (much_misfit(mode) > (most ? much_misfit(*most) : 0)) most = &mode;
+  }
+  return most;
 }
 
 }  // namespace
@@ -127,8 +138,8 @@ const std::vector<identify::Mode>& Analysis::modes() const {
       if (hidden.wandering.empty() && tones.empty()) searched_poles_ = hidden.unmodelled;
       remove_tone_modes(found, joined(tones, hidden.wandering), set, hits);
       add_ringing_std(earlier_ringing(), set, from, found);
-      if (std::any_of(found.begin(), found.end(), misfits_much))
-        residual_end_Hz_ = identify::growing_end_Hz(set, found);
+      if (const identify::Mode* const most = most_misfitting(found, band_Hz()))
+        residual_end_Hz_ = identify::growing_end_Hz(set, found, most->pole.freq_Hz);
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
       margin_modes_ = std::move(split.below);
       keep_started_modes(split.within);

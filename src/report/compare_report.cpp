@@ -203,11 +203,14 @@ CommandReport compare_report(const std::vector<metrics::ComparedDocument>& docum
     const metrics::ComparedDocument& a = documents.front();
     metrics::CommonPlaces places = metrics::common_places(a, documents[i]);
     const metrics::ComparedDocument& b = others.emplace_back(metrics::at_places_of_first(documents[i], places));
+    metrics::PairedModes paired = metrics::pair_modes(a, b, options);
+    std::vector<metrics::DistantPair> distant = metrics::distant_pairs(a, b, paired, options);
     comparisons.push_back({.a = a,
                            .b = b,
                            .places = std::move(places),
-                           .modes = metrics::pair_modes(a, b, options),
-                           .deflections = metrics::pair_deflections(a, b)});
+                           .modes = std::move(paired),
+                           .deflections = metrics::pair_deflections(a, b),
+                           .distant = std::move(distant)});
     deflections = deflections || !comparisons.back().deflections.empty();
     modes = modes || !comparisons.back().modes.pairs.empty();
   }

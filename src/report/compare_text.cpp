@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/io/counted_words.hpp"
@@ -101,12 +103,20 @@ std::optional<TextTable> dampings_table(const std::vector<metrics::ComparedDocum
   return any ? std::optional(std::move(table)) : std::nullopt;
 }
 
-// Says how the points of the shapes were matched. `several`: there are other comparisons.
-void say_places(ReportText& text, const Comparison& c, bool several) {
+// A sentence about one comparison, or about several of which the same holds: `before`, the documents, `after`.
+struct Note {
+  std::string before, of, after;  // `of` precedes the names of the documents; empty: no names
+  bool operator==(const Note&) const = default;
+};
+
+// How the points of the shapes were matched.
+void add_place_notes(std::vector<Note>& notes, const Comparison& c) {
   const metrics::CommonPlaces& places = c.places;
   if (std::min(places.points_a, places.points_b) < 2) return;
-  if (places.coordinates_differ)
-    text.say("the coordinates of the points do not agree: another origin, unit or direction of the axes?");
+  if (places.coordinates_differ) {
+    notes.push_back(
+        {"the coordinates of the points", " of ", " do not agree: another origin, unit or direction of the axes?"});
+  }
   const std::string numbers = places.by == metrics::PlacesMatchedBy::sequence
                                   ? "their sequence, since one document counts from 0 and the other from 1"
                                   : fmt::format("their {}", name_of(places.by));
@@ -114,8 +124,7 @@ void say_places(ReportText& text, const Comparison& c, bool several) {
   const std::string of = common == places.points_a && common == places.points_b
                              ? ""
                              : fmt::format(", of {} and {}", places.points_a, places.points_b);
-  text.say(fmt::format("points{} are matched by {}: {} in both{}", several ? " of " + one_line(c.b.name, 200) : "",
-                       numbers, common, of));
+  notes.push_back({"points", " of ", fmt::format(" are matched by {}: {} in both{}", numbers, common, of)});
 }
 
 // Says where modes without a partner agree in frequency, but not in shape.
@@ -137,46 +146,84 @@ std::optional<std::string> other_shapes_text(const Comparison& c) {
                          : ": do equal point numbers mean equal places in both?");
 }
 
-// "modes are paired with the modes of b.json by …", or "2 of 7 modes are …"; empty where none is.
-std::string paired_text(const Comparison& c, metrics::PairedBy by, bool several) {
+// "modes are paired with the modes of b.json by …", or "2 of 7 modes are …"; nothing where none is.
+void add_paired_note(std::vector<Note>& notes, const Comparison& c, metrics::PairedBy by, const std::string& how) {
   const auto& pairs = c.modes.pairs;
   const auto count = static_cast<std::size_t>(
       std::count_if(pairs.begin(), pairs.end(), [&](const metrics::ModePair& pair) { return pair.by == by; }));
-  if (count == 0) return "";
-  const std::string of = several ? fmt::format(" with the modes of {}", one_line(c.b.name, 200)) : "";
-  return count == pairs.size()
-             ? fmt::format("modes are paired{} by ", of)
-             : fmt::format("{} of {} modes {} paired{} by ", count, pairs.size(), count == 1 ? "is" : "are", of);
+  if (count == 0) return;
+  const std::string which = count == pairs.size()
+                                ? "modes are"
+                                : fmt::format("{} of {} modes {}", count, pairs.size(), count == 1 ? "is" : "are");
+  notes.push_back({which + " paired", " with the modes of ", " by " + how});
 }
 
-// Says that modes are paired by order or by frequency, and which of them may be exchanged. `several`: there are other
-// comparisons.
-void say_pairing(ReportText& text, const Comparison& c, bool several) {
-  const auto& pairs = c.modes.pairs;
-  const std::string by_order = paired_text(c, metrics::PairedBy::order, several);
-  if (!by_order.empty())
-    text.say(fmt::format("{}family and order (fewer than {} common points)", by_order, metrics::kMinPlaces));
+// That modes are paired by order or by frequency, and which of them may be exchanged.
+void add_pairing_notes(std::vector<Note>& notes, const Comparison& c) {
+  const std::string few = fmt::format("(fewer than {} common points)", metrics::kMinPlaces);
+  add_paired_note(notes, c, metrics::PairedBy::order, "family and order " + few);
   for (const metrics::DoubtedOrders& doubted : c.modes.doubted_orders) {
-    text.say(fmt::format(
-        "the frequencies{} contradict the orders of {} modes from {} on, as where one test lacks a mode: these orders "
-        "are not used",
-        several ? " of " + one_line(c.b.name, 200) : "", one_line(doubted.family, 40), doubted.from));
+    notes.push_back({"the frequencies", " of ",
+                     fmt::format(" contradict the orders of {} modes from {} on, as where one test lacks a mode: these "
+                                 "orders are not used",
+                                 one_line(doubted.family, 40), doubted.from)});
   }
-  const std::string by_frequency = paired_text(c, metrics::PairedBy::frequency, several);
-  if (!by_frequency.empty()) {
-    text.say(fmt::format("{}frequency (fewer than {} common points): modes that crossed are exchanged", by_frequency,
-                         metrics::kMinPlaces));
-  }
+  add_paired_note(notes, c, metrics::PairedBy::frequency, "frequency " + few + ": modes that crossed are exchanged");
   std::vector<std::string> exchangeable;
   const std::size_t number = first_mode_number(c.a);
-  for (const metrics::ModePair& pair : pairs) {
+  for (const metrics::ModePair& pair : c.modes.pairs) {
     for (const std::size_t other : pair.exchangeable_a) {
       if (other > pair.a) exchangeable.push_back(fmt::format("{} and {}", number + pair.a, number + other));
     }
   }
   if (exchangeable.empty()) return;
-  text.say(fmt::format("modes {} may be exchanged: they lie no further apart than they moved",
-                       limited_list(exchangeable.size(), kMaxNamed, [&](std::size_t i) { return exchangeable[i]; })));
+  notes.push_back(
+      {fmt::format("modes {} may be exchanged",
+                   limited_list(exchangeable.size(), kMaxNamed, [&](std::size_t i) { return exchangeable[i]; })),
+       " in ", ": they lie no further apart than they moved"});
+}
+
+std::vector<Note> notes_of(const Comparison& c) {
+  std::vector<Note> notes;
+  add_place_notes(notes, c);
+  add_pairing_notes(notes, c);
+  return notes;
+}
+
+// Says the notes about comparisons[i] that no earlier comparison has, with the names of all documents of which they
+// hold.
+void say_notes(ReportText& text, const std::vector<Comparison>& comparisons,
+               const std::vector<std::vector<Note>>& notes, std::size_t i) {
+  const auto holds = [&](std::size_t k, const Note& note) {
+    return std::find(notes[k].begin(), notes[k].end(), note) != notes[k].end();
+  };
+  for (const Note& note : notes[i]) {
+    std::vector<std::string> names;
+    bool earlier = false;
+    for (std::size_t k = 0; k < notes.size(); ++k) {
+      if (!holds(k, note)) continue;
+      earlier = earlier || k < i;
+      names.push_back(one_line(comparisons[k].b.name, 200));
+    }
+    if (earlier) continue;
+    const std::string list = names.size() > 1 && names.size() == notes.size()
+                                 ? "all others"
+                                 : limited_list(names.size(), kMaxNamed, [&](std::size_t n) { return names[n]; });
+    text.say(note.before + (notes.size() > 1 ? note.of + list : "") + note.after);
+  }
+}
+
+// Says which modes without a partner have shapes that agree.
+void say_distant_pairs(ReportText& text, const Comparison& c) {
+  if (c.distant.empty()) return;
+  const std::string pairs = limited_list(c.distant.size(), kMaxNamed, [&](std::size_t i) {
+    const metrics::DistantPair& pair = c.distant[i];
+    return fmt::format("{} and {} Hz (MAC {:.2f}, {:.0f} % apart, paired with {:.0f} %)",
+                       hertz_text(c.a.modes[pair.a].freq_Hz), hertz_text(c.b.modes[pair.b].freq_Hz), pair.mac.value,
+                       100 * std::abs(pair.difference), 100 * pair.furthest);
+  });
+  text.say({fmt::format("modes of equal shapes are too far apart to pair: {}; allow a larger difference", pairs),
+            {"furthest"}});
 }
 
 }  // namespace
@@ -226,17 +273,20 @@ ReportText compare_modes_text(const std::vector<metrics::ComparedDocument>& docu
   }
   ReportText text;
   text += table;
-  for (const Comparison& c : comparisons) {
-    say_places(text, c, comparisons.size() > 1);
-    say_pairing(text, c, comparisons.size() > 1);
+  std::vector<std::vector<Note>> notes;
+  std::transform(comparisons.begin(), comparisons.end(), std::back_inserter(notes), notes_of);
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    const Comparison& c = comparisons[i];
+    say_notes(text, comparisons, notes, i);
     if (c.modes.unpaired_b.empty()) continue;
     if (const auto hint = other_shapes_text(c)) text.say(*hint);
+    say_distant_pairs(text, c);
     const auto& unpaired = c.modes.unpaired_b;
     text.say(fmt::format(
-        "only in {}: {}", one_line(c.b.name, 200), limited_list(unpaired.size(), kMaxNamed, [&](std::size_t i) {
-          const metrics::ComparedMode& mode = c.b.modes[unpaired[i]];
+        "only in {}: {}", one_line(c.b.name, 200), limited_list(unpaired.size(), kMaxNamed, [&](std::size_t u) {
+          const metrics::ComparedMode& mode = c.b.modes[unpaired[u]];
           const std::string freq = fmt::format("{:.6g} Hz", mode.freq_Hz);
-          return mode.order > 0 ? fmt::format("{} ({})", freq, compared_mode_name(c.b, unpaired[i])) : freq;
+          return mode.order > 0 ? fmt::format("{} ({})", freq, compared_mode_name(c.b, unpaired[u])) : freq;
         })));
   }
   if (auto dampings = dampings_table(documents, comparisons)) {

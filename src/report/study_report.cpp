@@ -45,6 +45,14 @@ Json ids_json(const metrics::Study& study, const std::vector<std::size_t>& bats)
   return out;
 }
 
+std::vector<std::size_t> bats_without_family(const metrics::Study& study) {
+  std::vector<std::size_t> bats;
+  for (std::size_t b = 0; b < study.bats.size(); ++b) {
+    if (study.bats[b].without_family) bats.push_back(b);
+  }
+  return bats;
+}
+
 Json class_json(const metrics::Study& study, const metrics::StudyClass& one) {
   return {{"length_in", one.length_class == 0 ? Json() : Json(one.length_class)},
           {"bats", one.bats.size()},
@@ -131,6 +139,7 @@ std::string study_json(const metrics::Study& study) {
   for (const metrics::StudyProgram& p : study.programs)
     json["programs"].push_back({{"program", p.name}, {"bats", p.bats}, {"counted", p.counted}});
   json["groups"] = groups_json(study);
+  json["bats_without_family"] = ids_json(study, bats_without_family(study));
   for (const metrics::StudyStatement& s : study.statements) json["statements"].push_back(statement_json(s));
   for (const metrics::StudyFigure& f : study.figures) json["figures"].push_back(figure_json(study, f));
   for (const metrics::StudyHistory& t : study.histories) {
@@ -179,6 +188,16 @@ void add_programs(const metrics::Study& study, ReportText& out) {
   }
 }
 
+void add_without_family(const metrics::Study& study, ReportText& out) {
+  const std::size_t bats = bats_without_family(study).size();
+  if (bats == 0) return;
+  out.warn(
+      fmt::format("the modes of {} of {} bats have no family, as with one accelerometer, and none of their "
+                  "frequencies takes part; measure with two accelerometers 90° apart around the barrel, or state "
+                  "bending1_hz, bending2_hz, hoop1_hz or hoop2_hz in a table",
+                  bats, study.bats.size()));
+}
+
 ReportText study_text(const metrics::Study& study) {
   ReportText out = fmt::format(
       "{} bats, {} figures; ρ within lengths with its 95 % interval, p adjusted for all "
@@ -203,6 +222,7 @@ ReportText study_text(const metrics::Study& study) {
   add_programs(study, out);
   add_outliers(study, out);
   add_groups(study, out);
+  add_without_family(study, out);
   return out;
 }
 

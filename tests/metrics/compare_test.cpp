@@ -77,6 +77,44 @@ TEST(PairModes, PairsByShapeWherePossible) {
   EXPECT_NEAR(paired.pairs[0].mac->value, 1, kRounding);
 }
 
+// A stiffener raises the first mode by 34 %, beyond the limit. The third mode of b has its shape, too, but less
+// exactly.
+TEST(DistantPairs, AreUnpairedModesOfEqualShapes) {
+  ComparedDocument a = document_with({128.4, 412.7}), b = document_with({171.9, 437.5, 180});
+  a.modes[0].shape = b.modes[0].shape = shape(1, 1, 1);
+  a.modes[1].shape = b.modes[1].shape = shape(1, 0, -1);
+  b.modes[2].shape = shape(1, 1.1, 1);
+  const PairedModes paired = pair_modes(a, b);
+  ASSERT_THAT(indices(paired), ElementsAre(testing::Pair(1, 1)));
+  const std::vector<DistantPair> distant = distant_pairs(a, b, paired);
+  ASSERT_EQ(distant.size(), 1U);
+  EXPECT_EQ(distant[0].a, 0U);
+  EXPECT_EQ(distant[0].b, 0U);
+  EXPECT_NEAR(distant[0].mac.value, 1, kRounding);
+  EXPECT_NEAR(distant[0].difference, 171.9 / 128.4 - 1, kRounding);
+  EXPECT_DOUBLE_EQ(distant[0].furthest, 0.4);
+  const PairOptions wider{.furthest = distant[0].furthest};
+  const PairedModes then = pair_modes(a, b, wider);
+  EXPECT_THAT(indices(then), ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1)));
+  EXPECT_THAT(distant_pairs(a, b, then, wider), IsEmpty());
+}
+
+TEST(DistantPairs, NeedShapesThatAgreeAndFrequenciesWithinAFactorOfTwo) {
+  const auto count = [](double a_Hz, double b_Hz, double last_of_b) {
+    ComparedDocument a = document_with({a_Hz}), b = document_with({b_Hz});
+    a.modes[0].shape = shape(1, 1, 1);
+    b.modes[0].shape = shape(1, 1, last_of_b);
+    return distant_pairs(a, b, pair_modes(a, b)).size();
+  };
+  EXPECT_EQ(count(100, 140, 1), 1U);
+  EXPECT_EQ(count(140, 100, 1), 1U);
+  EXPECT_EQ(count(100, 140, 0), 0U) << "a MAC of 0.67";
+  EXPECT_EQ(count(100, 201, 1), 0U);
+  EXPECT_EQ(count(201, 100, 1), 0U);
+  const ComparedDocument a = document_with({100}), b = document_with({140});
+  EXPECT_THAT(distant_pairs(a, b, pair_modes(a, b)), IsEmpty()) << "without shapes";
+}
+
 // Each pair of modes decides by itself whether it pairs by shape. Here the first modes have no shape.
 TEST(PairModes, PairsByShapeAlthoughTheFirstModesHaveNone) {
   ComparedDocument a = document_with({50, 100, 104}), b = document_with({52, 101, 103});

@@ -90,6 +90,49 @@ TEST(CompareReport, SaysThatModesAgreeInFrequencyButNotInShape) {
   EXPECT_THAT(text(first, distant), Not(HasSubstr("in shape")));
 }
 
+TEST(CompareReport, NamesModesOfEqualShapesThatAreTooFarApart) {
+  const auto with_mode = [](const char* name, double freq_Hz) {
+    metrics::ComparedMode mode{.freq_Hz = freq_Hz, .family = "", .shape = {}};
+    for (int p = 0; p < 3; ++p) mode.shape[{p, -1}] = {.value = 1.0 + p};
+    return metrics::ComparedDocument{.name = name, .schema = "", .modes = {mode}, .deflections = {}};
+  };
+  const CommandReport report = compare_report({with_mode("before.json", 128.4), with_mode("after.json", 171.9)});
+  EXPECT_THAT(report.text.text(200), HasSubstr("modes of equal shapes are too far apart to pair: 128.4 and 171.9 Hz "
+                                               "(MAC 1.00, 34 % apart, paired with 40 %); allow a larger difference"));
+  EXPECT_THAT(report.text.html(), HasSubstr("modes of equal shapes are too far apart"));
+  EXPECT_THAT(report.json, HasSubstr("\"furthest_percent\": 40"));
+  EXPECT_THAT(compare_report({with_mode("before.json", 128.4), with_mode("after.json", 129)}).text.text(200),
+              Not(HasSubstr("equal shapes")));
+}
+
+TEST(CompareReport, SaysOnceWhatHoldsOfSeveralDocuments) {
+  const auto document = [](const std::string& name, std::vector<double> freq_Hz) {
+    metrics::ComparedDocument out{.name = name, .schema = "", .modes = {}, .deflections = {}};
+    for (const double f : freq_Hz) out.modes.push_back({.freq_Hz = f, .family = "", .shape = {}});
+    return out;
+  };
+  const auto a = document("a.json", {200, 500}), b = document("b.json", {201, 503}), c = document("c.json", {202, 504});
+  auto d = document("d.json", {202, 504});
+  const std::string all = compare_report({a, b, c, d}).text.text(200);
+  EXPECT_THAT(all, HasSubstr("modes are paired with the modes of all others by frequency"));
+  EXPECT_EQ(all.find("by frequency"), all.rfind("by frequency"));
+  for (metrics::ComparedMode& mode : d.modes) {
+    mode.family = "bending";
+    mode.order = mode.freq_Hz < 300 ? 1 : 2;
+    mode.confidence = 1;
+  }
+  auto ordered = a;
+  for (std::size_t m = 0; m < 2; ++m) {
+    ordered.modes[m].family = "bending";
+    ordered.modes[m].order = static_cast<int>(m) + 1;
+    ordered.modes[m].confidence = 1;
+  }
+  const std::string text = compare_report({ordered, b, d, c}).text.text(200);
+  EXPECT_THAT(text, HasSubstr("modes are paired with the modes of b.json, c.json by frequency"));
+  EXPECT_THAT(text, HasSubstr("modes are paired with the modes of d.json by family and order"));
+  EXPECT_EQ(text.find("by frequency"), text.rfind("by frequency"));
+}
+
 TEST(CompareReport, SaysThatModesArePairedByFrequencyAlone) {
   const auto document = [](const std::string& name, const std::vector<double>& freq_Hz) {
     metrics::ComparedDocument out{.name = name, .schema = "", .modes = {}, .deflections = {}};
@@ -106,7 +149,8 @@ TEST(CompareReport, SaysThatModesArePairedByFrequencyAlone) {
   EXPECT_THAT(crossed, HasSubstr("modes 1 and 2 may be exchanged: they lie no further apart than they moved\n"));
   EXPECT_THAT(compare_report({before, after}).json, HasSubstr("\"paired_by\": \"frequency\""));
   EXPECT_THAT(text({before, before}), Not(HasSubstr("may be exchanged")));
-  EXPECT_THAT(text({before, before, after}), HasSubstr("modes are paired with the modes of after.json by frequency"));
+  EXPECT_THAT(text({before, before, after}), HasSubstr("modes are paired with the modes of all others by frequency"));
+  EXPECT_THAT(text({before, before, after}), HasSubstr("modes 1 and 2 may be exchanged in after.json: they lie"));
   auto shapes = before;
   for (metrics::ComparedMode& mode : shapes.modes) {
     for (int p = 0; p < 3; ++p) mode.shape[{p, -1}] = {.value = 1 + p * mode.freq_Hz};

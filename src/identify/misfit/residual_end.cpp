@@ -38,15 +38,17 @@ VectorXd block_energies(const std::vector<VectorXcd>& residual) {
 
 }  // namespace
 
-std::optional<double> growing_end_Hz(const FrfDataset& set, const std::vector<Mode>& modes) {
+std::optional<double> growing_end_Hz(const FrfDataset& set, const std::vector<Mode>& modes, double misfit_Hz) {
   if (modes.empty() || set.lines.count < kMinLines) return std::nullopt;
   const VectorXd energies = block_energies(residuals_from_sums(set, modal_sums(set, modes)));
   const double others = energies.segment(1, kBlocks - 2).maxCoeff(), first = energies(0), last = energies(kBlocks - 1);
   const auto grows = [&](double energy, double other_end) {
     return energy > kMinEnergy && energy > kMinEnergyRatio * std::max(others, other_end);
   };
-  if (grows(last, first)) return set.lines.freq_Hz(set.lines.count - 1);
-  if (grows(first, last)) return set.lines.freq_Hz(0);
+  const double first_Hz = set.lines.freq_Hz(0), last_Hz = set.lines.freq_Hz(set.lines.count - 1);
+  const bool nearer_to_last = misfit_Hz * misfit_Hz > first_Hz * last_Hz;
+  if (nearer_to_last && grows(last, first)) return last_Hz;
+  if (!nearer_to_last && grows(first, last)) return first_Hz;
   return std::nullopt;
 }
 

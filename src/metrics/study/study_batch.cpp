@@ -34,14 +34,20 @@ void take_row(StrictObject& row, std::vector<BatProperties>& bats) {
   row.read("family", family);
   row.read("order", order);
   row.read("frequency_hz", freq_Hz);
-  if (kind == "mode") add_frequency(bat_named(bats, id), family, static_cast<std::int64_t>(order), freq_Hz);
+  if (kind != "mode") return;
+  BatProperties& bat = bat_named(bats, id);
+  add_frequency(bat, family, static_cast<std::int64_t>(order), freq_Hz);
+  if (order == 0) bat.emplace(kWithoutFamily, "");
 }
 
 void take_line(const Json& row, std::vector<BatProperties>& bats) {
   if (row.at("row") != "mode") return;
   BatProperties& bat = bat_named(bats, row.at("id").get<std::string>());
   const Json& order = row.at("order");
-  if (order.is_null()) return;
+  if (order.is_null()) {
+    bat.emplace(kWithoutFamily, "");
+    return;
+  }
   add_frequency(bat, row.at("family").get<std::string>(), order.get<std::int64_t>(),
                 row.at("frequency_hz").get<double>());
 }
@@ -65,6 +71,14 @@ std::vector<BatProperties> bats_of_lines(std::string_view text, const std::strin
   return bats;
 }
 
+// Frequencies of other modes of a bat remove the mark.
+std::vector<BatProperties> marked(std::vector<BatProperties> bats) {
+  for (BatProperties& bat : bats) {
+    if (bat.size() > 2) bat.erase(kWithoutFamily);  // more than this and the id
+  }
+  return bats;
+}
+
 }  // namespace
 
 void add_frequency(BatProperties& bat, const std::string& family, std::int64_t order, double freq_Hz) {
@@ -84,11 +98,11 @@ bool holds_batch(std::string_view text) {
 }
 
 std::vector<BatProperties> batch_bats(std::string_view text, const std::string& where) {
-  if (text.starts_with('{')) return bats_of_lines(text, where);
+  if (text.starts_with('{')) return marked(bats_of_lines(text, where));
   std::vector<BatProperties> bats;
   read_strict_table({.text = text, .where = where, .remedy = "merge the batch again"}, "rows",
                     [&](StrictObject& o) { o.read_list("rows", [&](StrictObject& row) { take_row(row, bats); }); });
-  return bats;
+  return marked(std::move(bats));
 }
 
 }  // namespace percuss::metrics

@@ -15,7 +15,7 @@ void add_frequency(BatProperties& bat, const std::string& family, std::int64_t o
 /// Whether a text is a merged batch, as lines of JSON or as a table.
 bool holds_batch(std::string_view text);
 
-/// The ids and frequencies of the records with modes, in their order.
+/// The ids and frequencies of the records with modes, and kWithoutFamily, in their order.
 /// errors  InputError: a line that is not a row of a batch.
 std::vector<BatProperties> batch_bats(std::string_view text, const std::string& where);
 

@@ -35,6 +35,8 @@ void take_all(BatProperties& p, const Json& object, std::initializer_list<const 
 void take_frequencies(const Json& analysis, BatProperties& p) {
   const Json& modes = member(analysis, "modes");
   if (!modes.is_array()) return;
+  const auto has_order = [](const Json& mode) { return member(mode, "order").is_number_integer(); };
+  if (!modes.empty() && std::none_of(modes.begin(), modes.end(), has_order)) p.emplace(kWithoutFamily, "");
   for (const Json& mode : modes) {
     const Json &family = member(mode, "family"), &order = member(mode, "order"), &freq = member(mode, "frequency_hz");
     if (!family.is_string() || !order.is_number_integer() || !freq.is_number()) continue;

@@ -10,7 +10,7 @@
 namespace percuss::metrics {
 
 /// The bats, or the states of one bat in their order, in a document of percuss:
-///   percuss/analysis/1   its "bat", and the first and second frequency of each family
+///   percuss/analysis/1   its "bat", and the first and second frequency of each family, or kWithoutFamily
 ///   percuss/metrics/1    each bat with readings and metrics
 ///   percuss/certify/1    the bat, and the metrics at its best location once the session has ended
 ///   percuss/abi/1        a state per performance test: performance, location and hoop frequency. The first has the id

@@ -133,6 +133,11 @@ StudyBat bat_of(const BatProperties& p) {
     const bool drop = static_cast<StudyQuantity>(q) == StudyQuantity::drop;
     bat.values.at(q) = number_of(p, kQuantityNames.at(q).column, bat.id, drop ? -50 : 1e-6, 1e6);
   }
+  using enum StudyQuantity;
+  const std::array frequencies{bending1, bending2, hoop1, hoop2};
+  bat.without_family =
+      p.contains(kWithoutFamily) &&
+      std::none_of(frequencies.begin(), frequencies.end(), [&](StudyQuantity q) { return bat.value(q).has_value(); });
   derive_quantities(bat, number_of(p, "weight_oz", bat.id, 1, 200), number_of(p, "z_in", bat.id, 0, 20));
   return bat;
 }

@@ -31,6 +31,7 @@ struct StudyBat {
   bool broken_in = false;
   const char* condition() const;  // as in tables: "new", "abi" for a composite barrel, "used" for another
   std::array<std::optional<double>, kStudyQuantities> values;
+  bool without_family = false;  // a test has modes, but the family of none; and no other row states a frequency
 
   std::optional<double> value(StudyQuantity quantity) const { return values.at(static_cast<std::size_t>(quantity)); }
   int length_class() const;  // whole inches
@@ -38,6 +39,9 @@ struct StudyBat {
 
 /// Properties of a bat by column name, as in tables and analyses.
 using BatProperties = std::map<std::string, std::string>;
+
+/// A property that no table has: a test of the bat has modes, but none of a known family and order.
+inline constexpr const char* kWithoutFamily = "without_family";
 
 /// Rows of tables and documents, joined by id. Rows with one id must agree. Two numbers agree if the one with fewer
 /// decimals is the other number rounded, and if they differ by at most 1 %. A row whose `bat` is the id of another row

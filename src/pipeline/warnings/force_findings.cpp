@@ -344,10 +344,11 @@ std::vector<Warning> coupling_warnings(const std::vector<AnalysedHit>& hits, dou
       {"ac_coupling",
        fmt::format("the force undershoots after each pulse: its channel is AC-coupled, with a corner of {:.2g} Hz. The "
                    "FRFs use the pulses alone, which turns their phase by {:.2g} rad at {:.4g} Hz, less above. Low "
-                   "modes are off by more than their ±",
+                   "modes can be off by more than their ±",
                    corner_Hz, phase_rad, low_Hz),
        {"force_window"}},
-      "couple the channels by DC; or use the force of all samples, if the accelerometers are coupled alike")};
+      "couple the channels by DC; or, if the accelerometers are coupled alike, use the force of all samples, whose "
+      "noise makes every ± several times larger")};
 }
 
 std::vector<Warning> duplicate_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {

@@ -55,10 +55,10 @@ std::string amplitude_text(const Mode& mode) {
   const identify::AmplitudeTrend& trend = *mode.amplitude;
   std::string text;
   if (trend.freq_follows) {
-    text += fmt::format("{} by {:.2g} ± {:.1g} Hz/N ({}; {:.6g} Hz at zero force)",
-                        trend.freq_slope_Hz_per_N < 0 ? "falls" : "rises", std::abs(trend.freq_slope_Hz_per_N),
-                        trend.freq_slope_std, trend.freq_slope_Hz_per_N < 0 ? "softening" : "hardening",
-                        trend.freq_at_zero_Hz);
+    text +=
+        fmt::format("{} by {} Hz/N ({}; {:.6g} Hz at zero force)", trend.freq_slope_Hz_per_N < 0 ? "falls" : "rises",
+                    value_with_std(std::abs(trend.freq_slope_Hz_per_N), trend.freq_slope_std),
+                    trend.freq_slope_Hz_per_N < 0 ? "softening" : "hardening", trend.freq_at_zero_Hz);
   }
   if (trend.damping_follows) {
     const bool falls = trend.damping_slope_per_N < 0;
@@ -101,13 +101,6 @@ double chance_of_scatter(const std::vector<Mode>& modes) {
   for (std::size_t k = 0; k < p_values.size(); ++k)
     least = std::min(least, chance_of_count(k + 1, 2 * modes.size(), p_values[k]));
   return least;
-}
-
-double misfit_rank(const Mode& mode) {
-  const auto over = [](const identify::StdParts& parts) {
-    return parts.noise > 0 && parts.misfit > kMuchMisfit * parts.noise ? parts.misfit / parts.noise : 0.0;
-  };
-  return std::max(over(mode.freq_std_parts_Hz), over(mode.damping_std_parts));
 }
 
 Warning misfit_warning(const std::string& list, const Mode& first, std::optional<double> residual_end_Hz) {
@@ -161,7 +154,12 @@ std::string drift_text(const std::vector<Mode>& modes) {
 
 }  // namespace
 
-bool misfits_much(const Mode& mode) { return misfit_rank(mode) > 0; }
+double much_misfit(const Mode& mode) {
+  const auto over = [](const identify::StdParts& parts) {
+    return parts.noise > 0 && parts.misfit > kMuchMisfit * parts.noise ? parts.misfit / parts.noise : 0.0;
+  };
+  return std::max(over(mode.freq_std_parts_Hz), over(mode.damping_std_parts));
+}
 
 std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes, std::optional<double> residual_end_Hz) {
   std::vector<Warning> out;
@@ -197,7 +195,7 @@ std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes, std::o
                               "fasten sensors and support, and strike one point in one direction"));
   }
   const std::string misfit = named_modes(
-      modes, misfit_rank, [](const Mode& mode) { return fmt::format("({:.2g} times the noise)", misfit_rank(mode)); });
+      modes, much_misfit, [](const Mode& mode) { return fmt::format("({:.2g} times the noise)", much_misfit(mode)); });
   if (!misfit.empty()) out.push_back(misfit_warning(misfit, modes.front(), residual_end_Hz));
   return out;
 }

@@ -49,6 +49,20 @@ Json unpaired_json(const metrics::ComparedDocument& document, const std::vector<
   return list;
 }
 
+Json distant_json(const Comparison& c) {
+  Json list = Json::array();
+  for (const metrics::DistantPair& pair : c.distant) {
+    list.push_back({{"a", pair.a},
+                    {"b", pair.b},
+                    {"frequency_a_hz", c.a.modes[pair.a].freq_Hz},
+                    {"frequency_b_hz", c.b.modes[pair.b].freq_Hz},
+                    {"difference_percent", 100 * pair.difference},
+                    {"mac", pair.mac.value},
+                    {"furthest_percent", 100 * pair.furthest}});
+  }
+  return list;
+}
+
 Json deflections_json(const Comparison& c) {
   Json list = Json::array();
   for (const metrics::DeflectionPair& pair : c.deflections) {
@@ -85,6 +99,7 @@ Json comparison_json(const Comparison& c) {
           {"unpaired_a", unpaired_json(c.a, c.modes.unpaired_a)},
           {"unpaired_b", unpaired_json(c.b, c.modes.unpaired_b)},
           {"doubted_orders", doubted_json(c.modes.doubted_orders)},
+          {"distant_pairs", distant_json(c)},
           {"deflections", deflections_json(c)},
           {"ratio", inverted ? "a/b" : "b/a"}};
 }

@@ -14,6 +14,7 @@ struct Comparison {
   metrics::CommonPlaces places;
   metrics::PairedModes modes;
   std::vector<metrics::DeflectionPair> deflections;
+  std::vector<metrics::DistantPair> distant{};
 };
 
 /// The document percuss/compare/1. `comparisons`: of each document after the first.

@@ -23,19 +23,27 @@ FrfDataset set_between(double low_Hz, double high_Hz, double other_Hz) {
   return set;
 }
 
-std::optional<double> end_between(double low_Hz, double high_Hz, double other_Hz) {
+std::optional<double> end_between(double low_Hz, double high_Hz, double other_Hz, double misfit_Hz) {
   const FrfDataset set = set_between(low_Hz, high_Hz, other_Hz);
-  return growing_end_Hz(set, identify_modes(set));
+  return growing_end_Hz(set, identify_modes(set), misfit_Hz);
 }
 
 TEST(GrowingEnd, IsTheEndBeyondWhichAModeLies) {
-  EXPECT_EQ(end_between(8, 975, 1040), 975);
-  EXPECT_EQ(end_between(28, 975, 20), 28);
+  EXPECT_EQ(end_between(8, 975, 1040, 743.2), 975);
+  EXPECT_EQ(end_between(28, 975, 20, 120), 28);
+}
+
+// The tail of a suspension mode explains no misfit near the upper end.
+TEST(GrowingEnd, IsNoneWhereTheMisfitLiesNearTheOtherEnd) {
+  EXPECT_EQ(end_between(28, 975, 20, 743.2), std::nullopt);
+  EXPECT_EQ(end_between(8, 975, 1040, 80), std::nullopt);
 }
 
 TEST(GrowingEnd, IsNoneWhereTheLinesIncludeTheMode) {
-  EXPECT_EQ(end_between(8, 1200, 1040), std::nullopt);
-  EXPECT_EQ(end_between(8, 975, 300), std::nullopt);
+  for (const double misfit_Hz : {80.0, 743.2}) {
+    EXPECT_EQ(end_between(8, 1200, 1040, misfit_Hz), std::nullopt);
+    EXPECT_EQ(end_between(8, 975, 300, misfit_Hz), std::nullopt);
+  }
 }
 
 // Forty components from 500 to 503.9 Hz stand for a mode whose frequency changes during the decay.
@@ -45,7 +53,7 @@ TEST(GrowingEnd, IsNoneWhereAModeItselfMisfits) {
     test::add_mode(set, 0, {500 + 0.1 * part, 0.01}, Complex(0.02, part % 3 == 0 ? 0.01 : 0));
   test::add_mode(set, 0, {320, 0.008}, Complex(0.5, 0.2));
   test::add_frf_noise(set, 1e-3, 4);
-  EXPECT_EQ(growing_end_Hz(set, modes_from_frequencies(set, {320, 502}, Effort::best)), std::nullopt);
+  EXPECT_EQ(growing_end_Hz(set, modes_from_frequencies(set, {320, 502}, Effort::best), 502), std::nullopt);
 }
 
 }  // namespace percuss::identify::residual_end_test

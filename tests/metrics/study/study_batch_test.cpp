@@ -36,6 +36,26 @@ TEST(StudyBatch, ReadsTheSameFromATable) {
   EXPECT_THAT(batch_bats(text, "t"), ElementsAre(ElementsAre(Pair("hoop1_hz", "1900.25"), Pair("id", "a"))));
 }
 
+TEST(StudyBatch, MarksBatsWhoseModesHaveNoFamily) {
+  const std::string lines = kHead + mode("a", "unknown", "null", 200) + mode("a", "unknown", "null", 530) +
+                            mode("b", "unknown", "null", 200) + mode("b", "bending", "1", 210);
+  EXPECT_THAT(batch_bats(lines, "t"), ElementsAre(ElementsAre(Pair("id", "a"), Pair(kWithoutFamily, "")),
+                                                  ElementsAre(Pair("bending1_hz", "210"), Pair("id", "b"))));
+  const std::string table = "row,id,family,order,frequency_hz\nmode,a,unknown,,200\n";
+  EXPECT_THAT(batch_bats(table, "t"), ElementsAre(ElementsAre(Pair("id", "a"), Pair(kWithoutFamily, ""))));
+}
+
+// The table of the bats states the frequency of b, so that nothing is lost.
+TEST(StudyBatch, LeavesTheMarkToBatsOfWhichNoTableStatesAFrequency) {
+  StudyRows rows;
+  rows.add("id,length_in,material,bending1_hz\na,33,wood,\nb,33,wood,201\n", "bats");
+  rows.add(kHead + mode("a", "unknown", "null", 200) + mode("b", "unknown", "null", 201), "batch");
+  const std::vector<StudyBat> bats = rows.bats();
+  ASSERT_EQ(bats.size(), 2U);
+  EXPECT_TRUE(bats[0].without_family);
+  EXPECT_FALSE(bats[1].without_family);
+}
+
 TEST(StudyBatch, DoesNotRecogniseOtherTexts) {
   EXPECT_FALSE(holds_batch("id,length_in\na,33\n"));
   EXPECT_FALSE(holds_batch("{\"schema\": \"percuss/analysis/1\"}"));

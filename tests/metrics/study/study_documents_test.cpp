@@ -70,6 +70,17 @@ TEST(StudyDocuments, ListStatesInTheirOrder) {
   EXPECT_EQ(value(bats[1], StudyQuantity::hoop1), 1800.2);
 }
 
+TEST(StudyDocuments, MarkBatsWhoseModesHaveNoFamily) {
+  const char* const one_sensor = R"({"schema": "percuss/analysis/1", "bat": {"id": "A", "properties": {}},
+    "modes": [{"family": "unknown", "order": null, "frequency_hz": 200.5}]})";
+  const auto states = states_in_document(one_sensor, "doc");
+  ASSERT_TRUE(states);
+  EXPECT_TRUE(states->at(0).contains(kWithoutFamily));
+  EXPECT_FALSE(states_in_document(kAnalysis, "doc")->at(0).contains(kWithoutFamily));
+  EXPECT_TRUE(joined({one_sensor, kCertificate})[0].without_family);
+  EXPECT_FALSE(joined({one_sensor, kAnalysis, kCertificate})[0].without_family) << "another test states frequencies";
+}
+
 TEST(StudyDocuments, TakeNoPerformanceOfAnUnfinishedSession) {
   std::string text = kCertificate;
   text.replace(text.find("\"pass\""), 6, "\"in_progress\"");

@@ -243,7 +243,12 @@ TEST(RecordFindings, NameAnAcCoupledForce) {
     x = test::ac_coupled(x, kRate_Hz / (2 * std::numbers::pi * kCorner_Hz));
     std::copy_n(x.begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
   };
-  EXPECT_THAT(codes_of(Analysis(record, band())), Contains("ac_coupling"));
+  const Analysis analysis(record, band());
+  EXPECT_THAT(codes_of(analysis), Contains("ac_coupling"));
+  EXPECT_THAT(test::lines_of_messages(analysis.warnings()),
+              Contains(testing::HasSubstr("can be off by more than their ±; couple the channels by DC; or, if the "
+                                          "accelerometers are coupled alike, use the force of all samples, whose noise "
+                                          "makes every ± several times larger")));
 }
 
 TEST(RecordFindings, RemoveAZeroShiftAndASlope) {
