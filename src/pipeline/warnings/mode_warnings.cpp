@@ -85,7 +85,7 @@ std::vector<Warning> force_noise_warnings(const std::vector<identify::Mode>& mod
   return {with_remedy(
       {"force_noise_unknown",
        "FRFs do not contain the noise of the force: each ± includes the response's noise alone, and is too small "
-       "where the force's noise is larger"},
+       "where the force's noise is larger, or where the modes differ from hit to hit"},
       "analyse the records if they exist")};
 }
 

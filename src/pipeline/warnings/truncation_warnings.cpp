@@ -85,8 +85,8 @@ std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& mode
       {"truncated_decay",
        fmt::format("the spacing of the spectral lines corresponds to records of {:.4g} s, at whose end these modes "
                    "still rang with this part of their amplitude: {}. The fit cannot allow for it without the "
-                   "force: residues may be off by as much, and the damping is too high if the recorder applied an "
-                   "exponential window",
+                   "force: residues may be off by as much. The damping may be too high by as much where the records "
+                   "begin before the blow, whatever its ±, and by more if the recorder applied an exponential window",
                    1 / lines.df_Hz(), ringing),
        {},
        "",
