@@ -106,7 +106,7 @@ std::string nodes_json(const pipeline::Analysis& analysis, const pipeline::NodeS
 std::string_view sentence_of(identify::NoNode reason) {
   switch (reason) {
     case identify::NoNode::few_positions:
-      return "three positions or more are needed";
+      break;
     case identify::NoNode::varies:
       return "the hits of one position differ by more than half the mode's amplitude; such a mode depends on the "
              "direction or the sideways place of the hits";
@@ -120,17 +120,16 @@ std::string_view sentence_of(identify::NoNode reason) {
   return "";
 }
 
-// A sentence for each reason.
+// A sentence for each reason; the warning few_points stands for the other one.
 void add_reasons(ReportText& text, const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
   using identify::NoNode;
-  for (const NoNode reason :
-       {NoNode::few_positions, NoNode::varies, NoNode::uncertain, NoNode::same_sign, NoNode::wide}) {
+  for (const NoNode reason : {NoNode::varies, NoNode::uncertain, NoNode::same_sign, NoNode::wide}) {
     std::string modes;
     for (const pipeline::ModeAlongScan& along : scan.modes) {
       if (along.no_node != reason) continue;
       modes += fmt::format("{}{:.5g}", modes.empty() ? "" : ", ", analysis.modes()[along.mode].pole.freq_Hz);
     }
-    if (!modes.empty()) text.say(fmt::format("–  no node at {} Hz: {}", modes, sentence_of(reason)));
+    if (!modes.empty()) text.say(fmt::format("– no node at {} Hz: {}", modes, sentence_of(reason)));
   }
 }
 
