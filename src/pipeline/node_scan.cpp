@@ -109,14 +109,39 @@ std::vector<identify::HitsAlongScan> hits_along_scan(const Analysis& analysis, c
   return modes;
 }
 
+struct ShapeOfScan {
+  identify::ScanShape shape;
+  bool varies = false;  // from hit to hit
+};
+
 // The shapes with their standard deviations. If the hits scatter about their places, the scatter of all points and
 // modes together gives the standard deviations, because two or three hits do not determine the scatter of one point.
-std::vector<identify::ScanShape> shapes_of(const std::vector<identify::HitsAlongScan>& modes) {
-  const auto scatter = identify::scatter_along_scan(modes);
-  std::vector<identify::ScanShape> shapes;
-  for (const identify::HitsAlongScan& mode : modes)
-    shapes.push_back(scatter ? identify::with_scatter(mode, *scatter) : mode.shape);
+// The mean of a mode that varies by as much as its amplitude is no shape: its signs are those of the hits' directions.
+std::vector<ShapeOfScan> shapes_of(const std::vector<identify::HitsAlongScan>& modes) {
+  constexpr double kVaries = 0.5;  // of the rms amplitude
+  const std::vector<identify::ScanScatter> scatter = identify::scatter_along_scan(modes);
+  std::vector<ShapeOfScan> shapes;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    if (scatter.empty()) {
+      shapes.push_back({.shape = modes[m].shape});
+    } else {
+      shapes.push_back(
+          {.shape = identify::with_scatter(modes[m], scatter[m]), .varies = scatter[m].of_amplitude > kVaries});
+    }
+  }
   return shapes;
+}
+
+void find_nodes_of(ModeAlongScan& along, bool varies, bool enough) {
+  if (!enough) {
+    along.no_node = identify::NoNode::few_positions;
+  } else if (varies) {
+    along.no_node = identify::NoNode::varies;
+  } else {
+    along.nodes = identify::find_nodes(along.shape);
+    identify::drop_wide_nodes(along.nodes, along.shape);
+    if (along.nodes.empty()) along.no_node = identify::reason_without_node(along.shape);
+  }
 }
 
 void add_hit_warnings(const Analysis& analysis, const std::vector<identify::HitsAlongScan>& modes,
@@ -199,16 +224,17 @@ NodeScan scan_nodes(const Analysis& analysis, const ScanPositions& positions, do
   if (!enough) scan.warnings.push_back(few_positions(measured.point.size()));
   const std::vector<std::size_t> shown = modes_of_scan(analysis);
   const std::vector<identify::HitsAlongScan> along_scan = hits_along_scan(analysis, shown, measured);
-  const std::vector<identify::ScanShape> shapes = shapes_of(along_scan);
+  const std::vector<ShapeOfScan> shapes = shapes_of(along_scan);
   add_hit_warnings(analysis, along_scan, scan.warnings);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const identify::Mode& mode = analysis.modes()[shown[i]];
     ModeAlongScan along{.mode = shown[i],
-                        .shape = shapes[i],
+                        .shape = shapes[i].shape,
                         .peak = peaks_of(analysis, mode, measured.point),
                         .nodes = {},
+                        .no_node = {},
                         .minimum_m = {}};
-    if (enough) along.nodes = identify::find_nodes(along.shape);
+    find_nodes_of(along, shapes[i].varies, enough);
     along.minimum_m = identify::minimum_of_peak(measured.position_m, along.peak, resolution_m);
     scan.modes.push_back(std::move(along));
   }

@@ -14,8 +14,9 @@ struct ModeAlongScan {
   std::size_t mode = 0;       // index into Analysis::modes()
   identify::ScanShape shape;  // the points that have FRFs
   std::vector<double> peak;   // |H| at the mode's peak, the root of the sum of squares over the channels, (m/s²)/N
-  std::vector<identify::Node> nodes;  // ascending
-  std::optional<double> minimum_m;    // position of the minimum of `peak`, to the given resolution
+  std::vector<identify::Node> nodes;        // ascending
+  std::optional<identify::NoNode> no_node;  // why `nodes` is empty
+  std::optional<double> minimum_m;          // position of the minimum of `peak`, to the given resolution
 };
 
 struct NodeScan {

@@ -46,6 +46,7 @@ Json mode_json(const pipeline::Analysis& analysis, const pipeline::ModeAlongScan
                              {"degree", node.degree},
                              {"points", node.points}});
   }
+  if (along.no_node) json["no_node"] = identify::name_of(*along.no_node);
   json["minimum_m"] = or_null(along.minimum_m);
   json["minimum_in"] = along.minimum_m ? Json(*along.minimum_m / kInch_m) : Json();
   json["shape"] = Json::array();
@@ -102,6 +103,36 @@ std::string nodes_json(const pipeline::Analysis& analysis, const pipeline::NodeS
   return indented_text(json) + "\n";
 }
 
+std::string_view sentence_of(identify::NoNode reason) {
+  switch (reason) {
+    case identify::NoNode::few_positions:
+      break;
+    case identify::NoNode::varies:
+      return "the hits of one position differ by more than half the mode's amplitude; such a mode depends on the "
+             "direction or the sideways place of the hits";
+    case identify::NoNode::uncertain:
+      return "fewer than two positions have a certain sign (amplitude above three times its ±)";
+    case identify::NoNode::same_sign:
+      return "the shape keeps its sign at all positions where the sign is certain (amplitude above three times its ±)";
+    case identify::NoNode::wide:
+      return "the ± of the crossing is as large as for any place of the scan";
+  }
+  return "";
+}
+
+// A sentence for each reason; the warning few_points stands for the other one.
+void add_reasons(ReportText& text, const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
+  using identify::NoNode;
+  for (const NoNode reason : {NoNode::varies, NoNode::uncertain, NoNode::same_sign, NoNode::wide}) {
+    std::string modes;
+    for (const pipeline::ModeAlongScan& along : scan.modes) {
+      if (along.no_node != reason) continue;
+      modes += fmt::format("{}{:.5g}", modes.empty() ? "" : ", ", analysis.modes()[along.mode].pole.freq_Hz);
+    }
+    if (!modes.empty()) text.say(fmt::format("– no node at {} Hz: {}", modes, sentence_of(reason)));
+  }
+}
+
 ReportText nodes_text(const pipeline::Analysis& analysis, const pipeline::NodeScan& scan) {
   TextTable table({{"mode", TextTable::Align::right},
                    {"family"},
@@ -126,6 +157,7 @@ ReportText nodes_text(const pipeline::Analysis& analysis, const pipeline::NodeSc
     text += "no bending mode rises above the noise in the band\n";
   } else {
     text += table;
+    add_reasons(text, analysis, scan);
   }
   const std::vector<pipeline::Warning> warnings = all_warnings(analysis, scan);
   if (!warnings.empty()) text += "\n";

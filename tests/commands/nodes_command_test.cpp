@@ -71,6 +71,21 @@ TEST_F(NodesCommand, PrintsADocumentThatFitsItsSchema) {
   EXPECT_EQ(document["modes"][0]["shape"].size(), 7U);
 }
 
+// The node at 7.5 in lies beyond the positions.
+TEST_F(NodesCommand, SaysWhyAModeHasNoNode) {
+  const std::vector<std::string> arguments{file("point0.h5"), file("point1.h5"), file("point2.h5"), "--positions",
+                                           "6:0.5:7in"};
+  const auto text = nodes(arguments);
+  ASSERT_EQ(text.code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("Hz: the shape keeps its sign at all positions"));
+  std::vector<std::string> as_json = arguments;
+  as_json.emplace_back("--json");
+  const json document = test::parse_json(nodes(as_json).out);
+  EXPECT_THAT(test::schema_violations(document, test::schema_named("nodes")), testing::IsEmpty());
+  EXPECT_TRUE(document["modes"].at(0)["nodes"].empty());
+  EXPECT_EQ(document["modes"].at(0)["no_node"], "same_sign");
+}
+
 TEST_F(NodesCommand, ReadsInchesUnlessAUnitFollows) {
   for (const char* positions : {"6:0.5:9", "+6:0.5:9in", "0.1524:0.0127:0.2286m", "152.4:12.7:228.6mm"}) {
     const auto outcome = nodes({file("scan.h5"), "--positions", positions, "--json"});

@@ -243,6 +243,38 @@ std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options)
   return nodes;
 }
 
+std::string_view name_of(NoNode reason) {
+  switch (reason) {
+    case NoNode::few_positions:
+      return "few_positions";
+    case NoNode::varies:
+      return "varies";
+    case NoNode::uncertain:
+      return "uncertain";
+    case NoNode::same_sign:
+      return "same_sign";
+    case NoNode::wide:
+      return "wide";
+  }
+  return "";
+}
+
+void drop_wide_nodes(std::vector<Node>& nodes, const ScanShape& shape) {
+  if (nodes.empty()) return;
+  const double anywhere_m = (shape.position_m.back() - shape.position_m.front()) / std::sqrt(12.0);
+  std::erase_if(nodes, [&](const Node& node) { return !(node.std_m < anywhere_m); });
+}
+
+NoNode reason_without_node(const ScanShape& shape) {
+  std::size_t positive = 0, negative = 0;
+  for (std::size_t i = 0; i < shape.amplitude.size(); ++i) {
+    if (!(std::abs(shape.amplitude[i]) > kNodeCertain * shape.std[i])) continue;
+    ++(shape.amplitude[i] > 0 ? positive : negative);
+  }
+  if (positive > 0 && negative > 0) return NoNode::wide;
+  return positive + negative < 2 ? NoNode::uncertain : NoNode::same_sign;
+}
+
 std::optional<double> minimum_of_peak(std::span<const double> position_m, std::span<const double> peak,
                                       double resolution_m) {
   constexpr double kMaxLowest = 0.5;  // of the largest peak: near a node, the lowest peak is smaller

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "identify/shapes/scan_shape.hpp"
@@ -40,6 +41,22 @@ struct NodeOptions {
 /// degree gives the distance.
 /// theory (5.8)
 std::vector<Node> find_nodes(const ScanShape& shape, const NodeOptions& options = {});
+
+/// Why a mode has no node along a scan.
+enum class NoNode {
+  few_positions,  // fewer than three
+  varies,         // the hits of one position differ by more than half the mode's rms amplitude
+  uncertain,      // fewer than two points have a certain sign
+  same_sign,      // all points that have a certain sign have the same one
+  wide            // each crossing is as uncertain as any place of the scan
+};
+std::string_view name_of(NoNode reason);
+
+/// Removes nodes whose standard deviation is that of a place anywhere in the scan: its length over √12.
+void drop_wide_nodes(std::vector<Node>& nodes, const ScanShape& shape);
+
+/// The reason by the shape, if find_nodes() finds no node, or drop_wide_nodes() leaves none.
+NoNode reason_without_node(const ScanShape& shape);
 
 /// The node by the rule of thumb of [8], section 3.6: the position of the minimum of the mode's peak, rounded to
 /// `resolution_m`. The minimum is the bottom of the V of |shape| between the lowest point and its lower neighbour.

@@ -215,4 +215,22 @@ TEST(MinimumOfPeak, IsTheBottomOfTheV) {
   EXPECT_EQ(minimum_of_peak(std::vector{1.0, 2.0}, std::vector{1.0, 1.0}, 0.1), std::nullopt);
 }
 
+TEST(DropWideNodes, KeepsNodesBetterKnownThanAnywhereInTheScan) {
+  const ScanShape shape{.position_m = {0, 0.1, 0.2}, .amplitude = {1, 0.1, -1}, .std = {0.01, 0.01, 0.01}};
+  std::vector<Node> nodes{{.position_m = 0.1, .std_m = 0.057}, {.position_m = 0.15, .std_m = 0.058}};
+  drop_wide_nodes(nodes, shape);  // 0.2 m over √12 is 0.0577 m
+  ASSERT_EQ(nodes.size(), 1U);
+  EXPECT_EQ(nodes[0].position_m, 0.1);
+}
+
+TEST(ReasonWithoutNode, TellsTheSignsApart) {
+  const auto reason = [](const std::vector<double>& amplitude) {
+    return reason_without_node({.position_m = {0, 0.1, 0.2}, .amplitude = amplitude, .std = {0.1, 0.1, 0.1}});
+  };
+  EXPECT_EQ(reason({1, 0.5, 0.2}), NoNode::same_sign);
+  EXPECT_EQ(reason({1, 0.2, -0.2}), NoNode::uncertain);
+  EXPECT_EQ(reason({1, 0.2, -1}), NoNode::wide);
+  EXPECT_EQ(name_of(NoNode::same_sign), "same_sign");
+}
+
 }  // namespace percuss::identify::nodes_test

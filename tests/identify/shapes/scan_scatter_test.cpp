@@ -50,23 +50,60 @@ TEST(ScatterAlongScan, FindsTheScatterOfTheHits) {
   double position2 = 0, relative2 = 0;
   for (int i = 0; i < kScans; ++i) {
     const auto scatter = scatter_along_scan(scan_of(random, 3, 3, 2e-3, 0.03));
-    ASSERT_TRUE(scatter.has_value());
-    EXPECT_EQ(scatter->degrees_of_freedom, 26) << "13 points with three hits";
-    position2 += scatter->position_std_m * scatter->position_std_m / kScans;
-    relative2 += scatter->relative_std * scatter->relative_std / kScans;
+    ASSERT_EQ(scatter.size(), 3U);
+    EXPECT_EQ(scatter[0].degrees_of_freedom, 26) << "13 points with three hits";
+    EXPECT_EQ(scatter[2].position_std_m, scatter[0].position_std_m) << "common to all modes";
+    EXPECT_LT(scatter[0].of_amplitude, 0.2);
+    position2 += scatter[0].position_std_m * scatter[0].position_std_m / kScans;
+    relative2 += scatter[0].relative_std * scatter[0].relative_std / kScans;
   }
   constexpr double kScatterOfMean = 0.1;  // three standard deviations of a variance with 26·200 degrees of freedom
   EXPECT_NEAR(position2 / 4e-6, 1, kScatterOfMean);
   EXPECT_NEAR(relative2 / 9e-4, 1, kScatterOfMean);
 }
 
+// A mode of the other plane: its sign in a hit is that of the hit's direction.
+void add_mode_of_direction(std::mt19937& random, std::vector<HitsAlongScan>& modes, int order) {
+  std::normal_distribution<double> normal;
+  HitsAlongScan& mode = modes.emplace_back(modes.front());
+  for (std::size_t p = 0; p < mode.hits.size(); ++p) {
+    double mean = 0;
+    for (AmplitudeOfHit& hit : mode.hits[p]) {
+      hit.value = 0.03 * normal(random) * shape_at(order, mode.shape.position_m[p]) + kNoise * normal(random);
+      mean += hit.value / static_cast<double>(mode.hits[p].size());
+    }
+    mode.shape.amplitude[p] = mean;
+  }
+}
+
+TEST(ScatterAlongScan, LeavesOutModesThatDependOnTheDirection) {
+  std::mt19937 random(5);
+  int apart = 0;
+  constexpr int kScans = 100;
+  for (int i = 0; i < kScans; ++i) {
+    auto modes = scan_of(random, 3, 3, 2e-3, 0.01);
+    const auto alone = scatter_along_scan(modes);
+    add_mode_of_direction(random, modes, 1);
+    add_mode_of_direction(random, modes, 2);
+    const auto scatter = scatter_along_scan(modes);
+    ASSERT_EQ(scatter.size(), 5U);
+    for (std::size_t m = 0; m < 3; ++m) {
+      EXPECT_EQ(scatter[m].position_std_m, alone[m].position_std_m) << "scan " << i << ", mode " << m;
+      EXPECT_EQ(scatter[m].relative_std, alone[m].relative_std) << "scan " << i << ", mode " << m;
+      EXPECT_LT(scatter[m].of_amplitude, 0.2);
+    }
+    for (std::size_t m = 3; m < 5; ++m) apart += scatter[m].of_amplitude > 0.5 ? 1 : 0;
+  }
+  EXPECT_GE(apart, 2 * kScans * 95 / 100);
+}
+
 TEST(ScatterAlongScan, IsNothingForHitsThatOnlyNoiseTellsApart) {
   std::mt19937 random(2);
   int found = 0;
-  for (int i = 0; i < 200; ++i) found += scatter_along_scan(scan_of(random, 2, 2, 0, 0)).has_value() ? 1 : 0;
+  for (int i = 0; i < 200; ++i) found += scatter_along_scan(scan_of(random, 2, 2, 0, 0)).empty() ? 0 : 1;
   EXPECT_LE(found, 2) << "once in 1000 by chance";
-  EXPECT_FALSE(scatter_along_scan(scan_of(random, 2, 1, 2e-3, 0)).has_value()) << "one hit per point";
-  EXPECT_FALSE(scatter_along_scan({}).has_value());
+  EXPECT_TRUE(scatter_along_scan(scan_of(random, 2, 1, 2e-3, 0)).empty()) << "one hit per point";
+  EXPECT_TRUE(scatter_along_scan({}).empty());
 }
 
 // The reason for the pooling: with the scatter of two hits alone, some points would have hardly any deviation.
@@ -78,9 +115,9 @@ TEST(WithScatter, GivesNodesTrueStandardDeviations) {
     for (int i = 0; i < kScans; ++i) {
       const auto modes = scan_of(random, 3, hits, 2e-3, 0.01);
       const auto scatter = scatter_along_scan(modes);
-      ASSERT_TRUE(scatter.has_value());
+      ASSERT_EQ(scatter.size(), modes.size());
       for (int m = 0; m < 3; ++m) {
-        const ScanShape shape = with_scatter(modes[static_cast<std::size_t>(m)], *scatter);
+        const ScanShape shape = with_scatter(modes[static_cast<std::size_t>(m)], scatter[static_cast<std::size_t>(m)]);
         for (const Node& node : find_nodes(shape)) {
           // One step of Newton from the node found: the exact node is within 1e-4 of it.
           const double x = node.position_m, step = 1e-5;
@@ -101,8 +138,8 @@ TEST(WithScatter, KeepsTheStandardDeviationOfAPointWithoutHits) {
   auto modes = scan_of(random, 2, 2, 2e-3, 0);
   modes[0].hits[5].clear();
   const auto scatter = scatter_along_scan(modes);
-  ASSERT_TRUE(scatter.has_value());
-  const ScanShape shape = with_scatter(modes[0], *scatter);
+  ASSERT_EQ(scatter.size(), modes.size());
+  const ScanShape shape = with_scatter(modes[0], scatter[0]);
   EXPECT_EQ(shape.std[5], modes[0].shape.std[5]);
   EXPECT_GT(shape.std[4], 5 * modes[0].shape.std[4]);
 }
