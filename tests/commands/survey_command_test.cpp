@@ -196,6 +196,7 @@ TEST_F(SurveyCommand, TakesFilesWithTwoNumbersAsHitsOfPoints) {
     }
     for (const std::vector<std::string>& geometry :
          std::vector<std::vector<std::string>>{{"--geometry", file("from_one.csv")}, {}}) {
+      if (!point_first && geometry.empty()) continue;  // each file is a point then
       std::vector<std::string> arguments{file(folder)};
       arguments.insert(arguments.end(), geometry.begin(), geometry.end());
       const json document = document_of(arguments);
@@ -221,7 +222,7 @@ TEST_F(SurveyCommand, TakesRowsAndColumnsAsPoints) {
        std::vector<std::vector<std::string>>{{"--geometry", file("from_one.csv")}, {}}) {
     std::vector<std::string> arguments{file("rows")};
     arguments.insert(arguments.end(), geometry.begin(), geometry.end());
-    EXPECT_EQ(document_of(arguments)["hits"][17]["point"], 17);
+    EXPECT_EQ(document_of(arguments)["hits"][35]["point"], 17);
   }
 }
 

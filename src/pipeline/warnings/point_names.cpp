@@ -166,7 +166,16 @@ NamedFiles judge_named_files(const std::vector<std::string>& paths, const std::v
 
 TwoNumbers judge_two_numbers(const std::vector<std::string>& paths,
                              std::vector<std::vector<acquire::FilesOfHits>> groupings, const std::set<int>& geometry) {
-  if (geometry.empty() || groupings.empty()) return {.groupings = std::move(groupings)};
+  if (groupings.empty() || geometry.size() == paths.size()) return {};
+  const bool may_be_points = geometry.empty() || knows_points(geometry, paths);
+  if (may_be_points) {
+    // Points of a symmetric structure can agree as hits do, so only the usual order of the numbers is tried.
+    std::erase_if(groupings, [&](const auto& groups) {
+      return !std::all_of(groups.begin(), groups.end(),
+                          [&](const auto& group) { return paths[group.files.front()].starts_with(group.stem); });
+    });
+  }
+  if (geometry.empty()) return {.groupings = std::move(groupings)};
   std::erase_if(groupings, [&](const auto& groups) {
     std::vector<std::string> stems;
     for (const acquire::FilesOfHits& group : groups) stems.push_back(group.stem);
@@ -174,7 +183,7 @@ TwoNumbers judge_two_numbers(const std::vector<std::string>& paths,
   });
   const auto is_equal = [&](const auto& groups) { return groups.size() == geometry.size(); };
   if (std::any_of(groupings.begin(), groupings.end(), is_equal)) std::erase_if(groupings, std::not_fn(is_equal));
-  const bool certain = groupings.size() == 1 && !knows_points(geometry, paths);
+  const bool certain = groupings.size() == 1 && !may_be_points;
   return {.groupings = std::move(groupings), .certain = certain};
 }
 
