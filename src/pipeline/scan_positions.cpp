@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "acquire/geometry/geometry.hpp"
+#include "acquire/hits/time_selection.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
@@ -64,6 +65,40 @@ acquire::Record with_points_merged(acquire::Record record, const ScanPositions& 
   return record;
 }
 
+// A range of samples of row 0.
+struct CutRow {
+  std::size_t first = 0, samples = 0;
+};
+
+// The reader of parts of row 0 as rows: samples in memory are viewed, not copied.
+template <class... Place>
+acquire::SampleReader<std::size_t, Place...> with_cut_rows(const acquire::SampleReader<std::size_t, Place...>& all,
+                                                           const std::vector<CutRow>& cut) {
+  using Reader = acquire::SampleReader<std::size_t, Place...>;
+  typename Reader::View view;
+  if (all.view()) {
+    view = [cut, seen = all.view()](std::size_t row, Place... place) {
+      return seen(0, place...).subspan(cut.at(row).first, cut.at(row).samples);
+    };
+  }
+  return Reader([cut, all](std::size_t row, Place... place, std::size_t first,
+                           std::span<double> samples) { all(0, place..., cut.at(row).first + first, samples); },
+                std::move(view));
+}
+
+// Whether each row has one hit, the one of the same index among `hits` of the uncut row.
+bool rows_hold(const acquire::Record& record, acquire::HitOptions options, const std::vector<acquire::Hit>& hits,
+               const std::vector<CutRow>& cut) {
+  options.from_s = 0;
+  options.to_s.reset();
+  const std::vector<acquire::Hit> found = acquire::find_hits(record, options);
+  if (found.size() != hits.size()) return false;
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    if (found[h].row != h || found[h].peak + cut[h].first != hits[h].peak) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 ScanPositions listed_positions(std::vector<double> position_m, const std::string& where) {
@@ -109,6 +144,30 @@ ScanPositions positions_of_geometry(const std::vector<std::vector<double>>& geom
     if (along_m) position_m = *along_m;
   }
   return listed_positions(std::move(position_m), where);
+}
+
+acquire::Record with_row_per_hit(acquire::Record record, const acquire::HitOptions& options) {
+  if (record.rows.size() != 1 || !record.has_force || !record.faults.empty()) return record;
+  const std::vector<acquire::Hit> hits = acquire::find_hits(record, options);
+  if (hits.size() < 2) return record;
+  std::vector<CutRow> cut;
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    const std::size_t first =
+        h > 0 ? (hits[h - 1].peak + hits[h].peak) / 2 : acquire::select_time_range(record, 0, options).first;
+    const std::size_t begin = std::min(first, hits[h].first);
+    cut.push_back({.first = begin, .samples = hits[h].first + hits[h].samples - begin});
+  }
+  acquire::Record out = record;
+  out.continuous = true;
+  out.contiguous.clear();  // it states the place of the whole row
+  out.rows.assign(hits.size(), record.rows.front());
+  for (std::size_t h = 0; h < hits.size(); ++h) out.rows[h].samples = cut[h].samples;
+  out.read_force_N = with_cut_rows(record.read_force_N, cut);
+  out.read_accel_mps2 = with_cut_rows(record.read_accel_mps2, cut);
+  if (!rows_hold(out, options, hits, cut)) return record;
+  out.notes.push_back(information(
+      fmt::format("the {} hits of the record have the positions of the scan, in their order", hits.size())));
+  return out;
 }
 
 acquire::Record as_scan(acquire::Record record, const ScanPositions& positions, bool points_are_files) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "acquire/hits/hits.hpp"
 #include "acquire/record/record.hpp"
 
 namespace percuss::pipeline {
@@ -35,6 +36,13 @@ ScanPositions repeated_positions(const std::vector<double>& position_m);
 /// parallel to an axis.
 ScanPositions positions_of_geometry(const std::vector<std::vector<double>>& geometry, const std::set<int>& points,
                                     const std::string& where);
+
+/// A record of one row that holds several hits, with a row for each hit, so that each can have its point; a note says
+/// so. A row begins in the middle between the hit before it and its own, so that the ringing before the hit is known,
+/// and ends with the samples of the hit. The options' time selection (from_s, to_s) is applied and must not be applied
+/// again. Other records are returned unchanged; so are those with faults, and those of which a row alone would show
+/// other hits.
+acquire::Record with_row_per_hit(acquire::Record record, const acquire::HitOptions& options);
 
 /// The record with one point per position. A record of one point needs as many rows as stated positions, or a multiple
 /// of them. Its rows are assigned to the positions in order, and a note says so unless positions are repeated.

@@ -105,7 +105,10 @@ void require_points(const acquire::Geometry& geometry, const std::set<int>& meas
     throw InputError(fmt::format("the geometry lacks point {}: each of the {} files is taken as a point, and {} is "
                                  "point {}",
                                  lacked, files.size(), short_file_name(files.at(file)), lacked),
-                     where, "add it, or state how the files belong together", {"geometry", "files"});
+                     where,
+                     "add it; if several files are hits of one point, name them P1_hit1, P1_hit2, P2_hit1 and so on, "
+                     "or join the files of each point first",
+                     {"geometry", "convert.files"});
   }
   const std::string or_from_one =
       may_count_from_one

@@ -204,6 +204,31 @@ TEST_F(NodesCommand, TakesSeveralFilesPerPosition) {
   EXPECT_EQ(points.code, 3) << "each file is a point by the user's word";
 }
 
+// All hits in one continuous record, two at each position.
+TEST_F(NodesCommand, TakesTheHitsOfOneContinuousRecord) {
+  synth::SynthSpec spec = beam();
+  spec.hits = 2;
+  const acquire::Record rows = synth::synthesise(spec).record;
+  std::vector<double> force_N, accel_mps2;
+  for (std::size_t row = 0; row < rows.rows.size(); ++row) {
+    std::vector<double> x(rows.rows[row].samples);
+    rows.read_force_N(row, 0, x);
+    force_N.insert(force_N.end(), x.begin(), x.end());
+    rows.read_accel_mps2(row, 0, 0, x);
+    accel_mps2.insert(accel_mps2.end(), x.begin(), x.end());
+  }
+  acquire::write_hdf5(file("long.h5"), acquire::record_in_memory(rows.fs_Hz, {force_N}, {{accel_mps2}}), true);
+  for (const std::string positions : {"6,6,6.5,6.5,7,7,7.5,7.5,8,8,8.5,8.5,9,9in", "6:0.5:9in"}) {
+    const auto outcome = nodes({file("long.h5"), "--positions", positions, "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NEAR(first_node_in(test::parse_json(outcome.out)), 7.5, kNodeTolerance_in) << positions;
+    EXPECT_THAT(outcome.out, HasSubstr("the 14 hits of the record have the positions of the scan, in their order"));
+  }
+  const auto refused = nodes({file("long.h5"), "--positions", "6,6.5,7,7.5,8in"});
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("14 rows of hits for 5 positions"));
+}
+
 TEST_F(NodesCommand, LeavesOutFilesOfAFolderThatAreNoRecords) {
   const std::filesystem::path folder = file("session");
   std::filesystem::create_directory(folder);

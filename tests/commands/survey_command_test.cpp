@@ -182,6 +182,50 @@ TEST_F(SurveyCommand, TakesFilesOfOneNameAsHitsOfOnePoint) {
   EXPECT_EQ(document_of({file("hits"), "--files", "points"})["hits"][2]["point"], 2);
 }
 
+// Names with two numbers, whatever the words are. The point's number may stand second.
+TEST_F(SurveyCommand, TakesFilesWithTwoNumbersAsHitsOfPoints) {
+  for (const bool point_first : {true, false}) {
+    const std::string folder = point_first ? "schlag" : "punkt";
+    std::filesystem::create_directory(file(folder));
+    for (int p = 1; p <= 18; ++p) {
+      for (int h = 1; h <= 2; ++h) {
+        const std::string name =
+            point_first ? fmt::format("Punkt{:02}_Schlag{}", p, h) : fmt::format("Schlag{}_Punkt{:02}", h, p);
+        std::filesystem::copy_file(file(fmt::format("hits/P{}_{}.h5", p, h)), file(folder + "/" + name + ".h5"));
+      }
+    }
+    for (const std::vector<std::string>& geometry :
+         std::vector<std::vector<std::string>>{{"--geometry", file("from_one.csv")}, {}}) {
+      if (!point_first && geometry.empty()) continue;  // each file is a point then
+      std::vector<std::string> arguments{file(folder)};
+      arguments.insert(arguments.end(), geometry.begin(), geometry.end());
+      const json document = document_of(arguments);
+      const std::size_t second = point_first ? 2 : 1;
+      EXPECT_EQ(document["hits"][second]["point"], 1) << folder;
+      EXPECT_EQ(document["hits"][35]["point"], 17) << folder;
+      EXPECT_THAT(messages_of(document), Contains(HasSubstr("the 36 files are hits of 18 points, by their names")));
+    }
+  }
+  const auto refused = survey({file("schlag"), "--geometry", file("from_one.csv"), "--files", "points"});
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("name them P1_hit1, P1_hit2, P2_hit1"), HasSubstr("convert --files")));
+}
+
+// The numbers of rows and columns: the responses of one row differ.
+TEST_F(SurveyCommand, TakesRowsAndColumnsAsPoints) {
+  std::filesystem::create_directory(file("rows"));
+  for (int p = 0; p < 18; ++p) {
+    std::filesystem::copy_file(file(fmt::format("points/P{}.h5", p + 1)),
+                               file(fmt::format("rows/R{}C{}.h5", 1 + p / 6, 1 + p % 6)));
+  }
+  for (const std::vector<std::string>& geometry :
+       std::vector<std::vector<std::string>>{{"--geometry", file("from_one.csv")}, {}}) {
+    std::vector<std::string> arguments{file("rows")};
+    arguments.insert(arguments.end(), geometry.begin(), geometry.end());
+    EXPECT_EQ(document_of(arguments)["hits"][35]["point"], 17);
+  }
+}
+
 // Points of a grid that are numbered by row and column.
 TEST_F(SurveyCommand, TakesFilesWithOtherResponsesAsPoints) {
   std::filesystem::create_directory(file("grid"));

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/parallel/parallel.hpp"
 #include "pipeline/run_analyses.hpp"
+#include "pipeline/warnings/point_names.hpp"
 #include "report/compare_report.hpp"
 #include "report/json/read_document.hpp"
 
@@ -30,6 +31,12 @@ std::vector<Test> tests_of_frfs(const AnalyzeFlags& flags, std::vector<acquire::
   return tests_of_runs(pipeline::analyses_of_runs(std::move(frfs), analysis_options(flags.analysis)));
 }
 
+bool are_named_as_points(const acquire::Record& joined) {
+  std::vector<std::string> paths;
+  for (const acquire::InputFile& file : joined.files) paths.push_back(file.path);
+  return pipeline::named_as_points(paths);
+}
+
 // The warning about files that are not one test.
 pipeline::Warning files_disagree(const pipeline::Analysis& joined, const pipeline::FileDisagreement& found) {
   return pipeline::with_remedy(
@@ -38,12 +45,16 @@ pipeline::Warning files_disagree(const pipeline::Analysis& joined, const pipelin
                    "structures or points and are not averaged; each file is a test of its own",
                    100 * found.explained, one_line(joined.record().files[found.file].path, 80)),
        {"files"}},
-      "state how the files belong together, if they are hits of one point");
+      are_named_as_points(joined.record()) ? "if they are points of one structure, use percuss survey; if they are "
+                                             "hits of one point, state how they belong together"
+                                           : "state how the files belong together, if they are hits of one point");
 }
 
 [[noreturn]] void refuse_disagreeing(const pipeline::Analysis& analysis, const pipeline::Warning& said) {
+  const std::string points =
+      are_named_as_points(analysis.record()) ? "if they are points of one structure, use percuss survey; else " : "";
   throw InputError(said.message.substr(0, said.message.find(" and are not averaged")), analysis.record().source(),
-                   "analyse one file at a time, or state how the files belong together", {"files"});
+                   points + "analyse one file at a time, or state how the files belong together", {"files"});
 }
 
 // Several files are one test unless the user says otherwise or their FRFs disagree.

@@ -112,6 +112,10 @@ acquire::Record joined_scan(const ReadFlags& read, std::vector<acquire::Record> 
   if (stated && read.files != acquire::FileGrouping::points) {
     const std::vector<acquire::FilesOfHits> groups = groups_of_files(records);
     if (!groups.empty() && groups.size() == stated->stated()) return record_of_groups(std::move(records), groups);
+    std::vector<std::vector<acquire::FilesOfHits>> groupings;
+    if (groups.empty()) groupings = groupings_of_files(records);
+    std::erase_if(groupings, [&](const auto& one) { return one.size() != stated->stated(); });
+    if (groupings.size() == 1) return record_of_groups(std::move(records), groupings.front());
   }
   return acquire::join_records(std::move(records), grouping);
 }
@@ -139,6 +143,13 @@ OpenScan open_scan(const NodesFlags& flags, const std::optional<pipeline::ScanPo
     return {.analysis = std::make_shared<pipeline::Analysis>(std::move(frfs), options), .positions = positions};
   }
   acquire::Record record = joined_scan(flags.read, std::move(opened.records), stated, grouping);
+  if (stated && record.rows.size() == 1) {
+    record = pipeline::with_row_per_hit(std::move(record), options.hits);
+    if (record.rows.size() > 1) {  // the rows are cut to the selected time
+      options.hits.from_s = 0;
+      options.hits.to_s.reset();
+    }
+  }
   const auto positions = stated ? *stated
                                 : pipeline::positions_of_geometry(renumbered ? Places{} : record.geometry,
                                                                   record.points(), record.source());

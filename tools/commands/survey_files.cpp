@@ -64,6 +64,20 @@ pipeline::Warning taken_as_points(const Records& records, const FilesOfHits& gro
                std::string::npos));
 }
 
+// Whether each record is a file that states no points of its own.
+bool state_no_points(const Records& records) {
+  return std::all_of(records.begin(), records.end(), [](const acquire::Record& record) {
+    return record.files.size() == 1 && record.geometry.empty() && record.driving.empty() && record.motions.empty() &&
+           std::all_of(record.rows.begin(), record.rows.end(), [](const auto& row) { return row.point == 0; });
+  });
+}
+
+std::vector<std::string> first_paths(const Records& records) {
+  std::vector<std::string> paths;
+  for (const acquire::Record& record : records) paths.push_back(record.files.front().path);
+  return paths;
+}
+
 void require_one_run(const acquire::Record& record) {
   for (const acquire::RowInfo& row : record.rows) {
     if (row.run == record.rows.front().run) continue;
@@ -77,18 +91,28 @@ std::unique_ptr<pipeline::Analysis> analysis_of_record(acquire::Record record, p
   return std::make_unique<pipeline::Analysis>(std::move(record), std::move(options));
 }
 
+// The analysis of files whose names hold two numbers, if they are hits of several points. Nothing if the geometry does
+// not allow it, or if it allows that each file is a point and the responses of the hits of a point differ.
+std::unique_ptr<pipeline::Analysis> analysis_by_two_numbers(const Records& records,
+                                                            const pipeline::AnalysisOptions& options) {
+  const pipeline::TwoNumbers read =
+      pipeline::judge_two_numbers(paths_of(records), groupings_of_files(records), options.geometry_points);
+  for (const std::vector<FilesOfHits>& groups : read.groupings) {
+    auto grouped = analysis_of_record(record_of_groups(records, groups), options);
+    if (read.certain || (grouped->possible() && hits_agree(*grouped))) return grouped;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::vector<FilesOfHits> groups_of_files(const Records& records) {
-  std::vector<std::string> paths;
-  for (const acquire::Record& record : records) {
-    const bool plain =
-        record.files.size() == 1 && record.geometry.empty() && record.driving.empty() && record.motions.empty() &&
-        std::all_of(record.rows.begin(), record.rows.end(), [](const auto& row) { return row.point == 0; });
-    if (!plain) return {};
-    paths.push_back(record.files.front().path);
-  }
-  return acquire::files_of_hits(paths);
+  return state_no_points(records) ? acquire::files_of_hits(first_paths(records)) : std::vector<FilesOfHits>{};
+}
+
+std::vector<std::vector<FilesOfHits>> groupings_of_files(const Records& records) {
+  if (!state_no_points(records)) return {};
+  return acquire::groupings_by_two_numbers(first_paths(records));
 }
 
 acquire::Record record_of_groups(Records records, const std::vector<FilesOfHits>& groups) {
@@ -118,6 +142,9 @@ std::unique_ptr<pipeline::Analysis> survey_analysis(const ReadFlags& read, const
     return analysis_of_record(acquire::join_records(std::move(records), read.files), options);
   const std::vector<FilesOfHits> groups = groups_of_files(records);
   const pipeline::NamedFiles named = pipeline::judge_named_files(paths_of(records), groups, options.geometry_points);
+  if (groups.empty()) {
+    if (auto grouped = analysis_by_two_numbers(records, options)) return grouped;
+  }
   pipeline::AnalysisOptions of_points = options;
   if (named != pipeline::NamedFiles::points) {
     auto grouped = analysis_of_record(record_of_groups(records, groups), options);

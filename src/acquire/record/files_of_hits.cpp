@@ -91,6 +91,68 @@ std::optional<std::size_t> start_of_hit_word(std::string_view text) {
   return std::nullopt;
 }
 
+// A path without extension as texts and runs of digits in turn. The first part is a text, perhaps an empty one.
+std::vector<std::string> texts_and_numbers(const std::string& path) {
+  const std::filesystem::path file(path);
+  std::vector<std::string> parts{""};
+  for (const char c : (file.parent_path() / file.stem()).string()) {
+    if (is_digit(c) != (parts.size() % 2 == 0)) parts.emplace_back();
+    parts.back() += c;
+  }
+  return parts;
+}
+
+// The two parts in which the names differ; nothing unless these are numbers, and two.
+std::optional<std::array<std::size_t, 2>> two_varying_numbers(const std::vector<std::vector<std::string>>& names) {
+  std::set<std::size_t> varying;
+  for (const std::vector<std::string>& name : names) {
+    if (name.size() != names.front().size()) return std::nullopt;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      if (name[i] == names.front()[i]) continue;
+      if (i % 2 == 0) return std::nullopt;
+      varying.insert(i);
+    }
+  }
+  if (varying.size() != 2) return std::nullopt;
+  return std::array{*varying.begin(), *varying.rbegin()};
+}
+
+// The path through the number of the point, without the part that numbers the hit.
+std::string stem_of_point(const std::vector<std::string>& name, std::size_t point, std::size_t hit) {
+  const auto joined = [&](std::size_t from, std::size_t end) {
+    std::string text;
+    for (std::size_t i = from; i < end; ++i) text += name[i];
+    return text;
+  };
+  if (point < hit) return joined(0, point + 1);
+  const std::string own = joined(hit + 1, point + 1);
+  const std::size_t begin = std::min(own.find_first_not_of("_- ()/."), own.size());
+  return (std::filesystem::path(joined(0, hit)).parent_path() / own.substr(begin)).string();
+}
+
+// The files of one number of the point each; empty if the numbers form no such grid.
+std::vector<FilesOfHits> grouped_by(const std::vector<std::vector<std::string>>& names, std::size_t point,
+                                    std::size_t hit) {
+  std::vector<FilesOfHits> groups;
+  std::vector<std::set<int>> hits;  // [groups]
+  std::map<int, std::size_t> group_of;
+  std::set<int> all;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i][point].size() > kMaxHitDigits || names[i][hit].size() > kMaxHitDigits) return {};
+    const int number = std::stoi(names[i][hit]);
+    const auto [at, is_new] = group_of.emplace(std::stoi(names[i][point]), groups.size());
+    if (is_new) {
+      groups.push_back({.stem = stem_of_point(names[i], point, hit), .files = {}});
+      hits.emplace_back();
+    }
+    groups[at->second].files.push_back(i);
+    if (!hits[at->second].insert(number).second) return {};
+    all.insert(number);
+  }
+  const auto complete = static_cast<std::size_t>(std::count(hits.begin(), hits.end(), all));
+  return all.size() > 1 && complete > 1 && 2 * complete >= groups.size() ? groups : std::vector<FilesOfHits>{};
+}
+
 }  // namespace
 
 std::vector<FilesOfHits> files_of_hits(const std::vector<std::string>& paths) {
@@ -113,6 +175,22 @@ std::vector<FilesOfHits> files_of_hits(const std::vector<std::string>& paths) {
     if (one.size() > 1 && ++alike[one] > 1) return groups;
   }
   return {};
+}
+
+std::vector<std::vector<FilesOfHits>> groupings_by_two_numbers(const std::vector<std::string>& paths) {
+  if (paths.size() < 4) return {};
+  std::vector<std::vector<std::string>> names;
+  names.reserve(paths.size());
+  for (const std::string& path : paths) names.push_back(texts_and_numbers(path));
+  const auto varying = two_varying_numbers(names);
+  if (!varying) return {};
+  const auto [first, second] = *varying;
+  std::vector<std::vector<FilesOfHits>> groupings;
+  for (const auto& [point, hit] : {std::pair(first, second), std::pair(second, first)}) {
+    std::vector<FilesOfHits> groups = grouped_by(names, point, hit);
+    if (!groups.empty()) groupings.push_back(std::move(groups));
+  }
+  return groupings;
 }
 
 std::vector<FilesOfHits> files_called_hits(const std::vector<std::string>& paths) {

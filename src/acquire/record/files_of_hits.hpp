@@ -17,6 +17,13 @@ struct FilesOfHits {
 /// and at least two groups of two files or more have the same set of numbers.
 std::vector<FilesOfHits> files_of_hits(const std::vector<std::string>& paths);
 
+/// Groups files whose paths are equal but for two numbers, whatever the words are: Punkt01_Schlag1, P1-S1, P1/blow 1.
+/// One number is that of the point, the other that of the hit. Returns a grouping for each way to read them that is
+/// possible: first the one where the number of the point stands first. Its stem ends with that number: "Punkt01". In a
+/// grouping, at least half of the points, and two, have all of the hits' numbers, two or more; no number has more than
+/// six digits. Empty for other names. Names alone do not tell points from other numbers, such as rows and columns.
+std::vector<std::vector<FilesOfHits>> groupings_by_two_numbers(const std::vector<std::string>& paths);
+
 /// Groups files whose names call them hits: each name ends in "hit", "impact", "blow", "strike" or "tap" and a number
 /// before its extension (hit1, A_hit 2, blow-3), in any letter case. Files of one folder, word and name before it are a
 /// group, with what their paths have in common before the word as its stem: "A/" for A/hit1.csv and A/hit2.csv. Leaves

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <utility>
 
 #include "core/error.hpp"
@@ -27,26 +28,30 @@ std::vector<std::string> parts_of_name(const std::string& name) {
   return parts;
 }
 
-// The points if each file, or each group of files_of_hits(), is one point in order. Empty if this gives another number
-// of points.
+// A way in which files can be points.
 struct PointsOfFiles {
   std::vector<std::string> paths;     // [points]
   std::vector<std::size_t> point_of;  // [files]
 };
 
-PointsOfFiles points_of_files(const std::vector<std::string>& paths, std::size_t points) {
-  PointsOfFiles out;
+// The ways to take the files as this number of points: each file, or each group of files of hits, is one in order.
+std::vector<PointsOfFiles> points_of_files(const std::vector<std::string>& paths, std::size_t points) {
   if (paths.size() == points) {
-    out.paths = paths;
-    for (std::size_t i = 0; i < paths.size(); ++i) out.point_of.push_back(i);
-    return out;
+    PointsOfFiles each{.paths = paths, .point_of = {}};
+    for (std::size_t i = 0; i < paths.size(); ++i) each.point_of.push_back(i);
+    return {std::move(each)};
   }
-  const std::vector<acquire::FilesOfHits> groups = acquire::files_of_hits(paths);
-  if (groups.size() != points) return out;
-  out.point_of.resize(paths.size());
-  for (std::size_t p = 0; p < groups.size(); ++p) {
-    out.paths.push_back(groups[p].stem);
-    for (const std::size_t file : groups[p].files) out.point_of[file] = p;
+  std::vector<std::vector<acquire::FilesOfHits>> groupings{acquire::files_of_hits(paths)};
+  if (groupings.front().empty()) groupings = acquire::groupings_by_two_numbers(paths);
+  std::vector<PointsOfFiles> out;
+  for (const std::vector<acquire::FilesOfHits>& groups : groupings) {
+    if (groups.size() != points) continue;
+    PointsOfFiles one{.paths = {}, .point_of = std::vector<std::size_t>(paths.size())};
+    for (std::size_t p = 0; p < groups.size(); ++p) {
+      one.paths.push_back(groups[p].stem);
+      for (const std::size_t file : groups[p].files) one.point_of[file] = p;
+    }
+    out.push_back(std::move(one));
   }
   return out;
 }
@@ -97,12 +102,13 @@ std::vector<std::string> files_of_points(const acquire::Record& record, const st
   for (const acquire::InputFile& file : record.files) paths.push_back(file.path);
   const std::set<std::string> different(paths.begin(), paths.end());
   if (different.size() != paths.size()) return {};
-  PointsOfFiles found = points_of_files(paths, points.size());
-  if (found.paths.empty()) return {};
-  for (const acquire::RowInfo& row : record.rows) {
-    if (found.point_of.at(row.file) != static_cast<std::size_t>(row.point)) return {};
+  for (PointsOfFiles& found : points_of_files(paths, points.size())) {
+    const bool fits = std::all_of(record.rows.begin(), record.rows.end(), [&](const acquire::RowInfo& row) {
+      return found.point_of.at(row.file) == static_cast<std::size_t>(row.point);
+    });
+    if (fits) return std::move(found.paths);
   }
-  return std::move(found.paths);
+  return {};
 }
 
 std::optional<std::vector<int>> numbers_in_names(const std::vector<std::string>& names, const std::set<int>& geometry) {
@@ -156,6 +162,34 @@ NamedFiles judge_named_files(const std::vector<std::string>& paths, const std::v
   for (const acquire::FilesOfHits& group : groups) stems.push_back(group.stem);
   if (!knows_points(geometry, paths)) return NamedFiles::hits;
   return knows_points(geometry, stems) ? NamedFiles::undecided : NamedFiles::points;
+}
+
+TwoNumbers judge_two_numbers(const std::vector<std::string>& paths,
+                             std::vector<std::vector<acquire::FilesOfHits>> groupings, const std::set<int>& geometry) {
+  if (groupings.empty() || geometry.size() == paths.size()) return {};
+  const bool may_be_points = geometry.empty() || knows_points(geometry, paths);
+  if (may_be_points) {
+    // Points of a symmetric structure can agree as hits do, so only the usual order of the numbers is tried.
+    std::erase_if(groupings, [&](const auto& groups) {
+      return !std::all_of(groups.begin(), groups.end(),
+                          [&](const auto& group) { return paths[group.files.front()].starts_with(group.stem); });
+    });
+  }
+  if (geometry.empty()) return {.groupings = std::move(groupings)};
+  std::erase_if(groupings, [&](const auto& groups) {
+    std::vector<std::string> stems;
+    for (const acquire::FilesOfHits& group : groups) stems.push_back(group.stem);
+    return !knows_points(geometry, stems);
+  });
+  const auto is_equal = [&](const auto& groups) { return groups.size() == geometry.size(); };
+  if (std::any_of(groupings.begin(), groupings.end(), is_equal)) std::erase_if(groupings, std::not_fn(is_equal));
+  const bool certain = groupings.size() == 1 && !may_be_points;
+  return {.groupings = std::move(groupings), .certain = certain};
+}
+
+bool named_as_points(const std::vector<std::string>& paths) {
+  if (!acquire::files_of_hits(paths).empty() || !acquire::groupings_by_two_numbers(paths).empty()) return true;
+  return numbers_in_names(paths).has_value() && acquire::files_called_hits(paths).empty();
 }
 
 PointNames::PointNames(const acquire::Record& record, const std::set<int>& points, const std::set<int>& geometry) {

@@ -15,8 +15,8 @@ namespace percuss::pipeline {
 std::string short_file_name(const std::string& path);
 
 /// [points] the path of each point's file, if percuss numbered the points by the files: 0, 1, … in their order. If each
-/// hit is a file (acquire::files_of_hits), the path without the number of the hit: "P3" for P3_1.csv and P3_2.csv.
-/// Empty for other records, and if several files have one path.
+/// hit is a file (acquire::files_of_hits, acquire::groupings_by_two_numbers), the path without the number of the hit:
+/// "P3" for P3_1.csv and P3_2.csv. Empty for other records, and if several files have one path.
 std::vector<std::string> files_of_points(const acquire::Record& record, const std::set<int>& points);
 
 /// The numbers in names that differ in whole numbers only: 1, 2, 10 for P1.csv, P2.csv, P10.csv. If several numbers of
@@ -52,6 +52,24 @@ enum class NamedFiles { points, hits, undecided };
 /// single files would be. Undecided otherwise.
 NamedFiles judge_named_files(const std::vector<std::string>& paths, const std::vector<acquire::FilesOfHits>& groups,
                              const std::set<int>& geometry);
+
+/// What the files of a survey are if their names hold two numbers, of which the words do not tell the hit
+/// (acquire::groupings_by_two_numbers).
+struct TwoNumbers {
+  std::vector<std::vector<acquire::FilesOfHits>> groupings;  // that the geometry allows, the likely one first
+  bool certain = false;                                      // the first is right: the geometry allows nothing else
+};
+
+/// `groupings`: groupings_by_two_numbers(paths). `geometry`: the numbers of the stated geometry, empty without one. A
+/// geometry allows a grouping if it has all of its points. If it has as many points as a grouping, it allows no others;
+/// if as many as files, none. Where each file may be a point, only the grouping is left in which the number of the
+/// point stands first.
+TwoNumbers judge_two_numbers(const std::vector<std::string>& paths,
+                             std::vector<std::vector<acquire::FilesOfHits>> groupings, const std::set<int>& geometry);
+
+/// Whether the files are points by their names: each differs from the others in a number, as P1, P2, … do, or they are
+/// hits of several points. Not for names that call the files hits of one point (acquire::files_called_hits).
+bool named_as_points(const std::vector<std::string>& paths);
 
 /// The names of a test's points in tables, messages and pages. A point has the number in its file's name, else the
 /// number in the stated geometry, else the number in the record. Documents use the record's numbers.

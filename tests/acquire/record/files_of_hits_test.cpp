@@ -55,6 +55,50 @@ TEST(FilesOfHits, LeaveOtherNamesAlone) {
     EXPECT_THAT(files_of_hits(paths), IsEmpty()) << testing::PrintToString(paths);
 }
 
+std::vector<std::vector<std::string>> stems_by_two_numbers(const std::vector<std::string>& paths) {
+  std::vector<std::vector<std::string>> out;
+  for (const auto& groups : groupings_by_two_numbers(paths)) {
+    out.emplace_back();
+    for (const FilesOfHits& group : groups) out.back().push_back(group.stem);
+  }
+  return out;
+}
+
+TEST(GroupingsByTwoNumbers, KnowAnyWords) {
+  for (const std::string word : {"_Schlag", "_impact", "_run", "-S", "/blow "}) {
+    std::vector<std::string> paths;
+    for (const std::string name : {"a/P1", "a/P2", "a/P3"}) {
+      for (const std::string hit : {"1", "2"}) paths.push_back(name + word + hit + ".h5");
+    }
+    const auto groupings = groupings_by_two_numbers(paths);
+    ASSERT_EQ(groupings.size(), 2U) << word;
+    ASSERT_EQ(groupings[0].size(), 3U) << "the number of the point stands first";
+    EXPECT_EQ(groupings[0][1].stem, "a/P2");
+    EXPECT_THAT(groupings[0][1].files, ElementsAre(2U, 3U));
+    EXPECT_THAT(groupings[1].front().files, ElementsAre(0U, 2U, 4U));
+  }
+  EXPECT_THAT(
+      stems_by_two_numbers({"d7/Schlag1_Punkt01.csv", "d7/Schlag1_Punkt02.csv", "d7/Schlag1_Punkt03.csv",
+                            "d7/Schlag2_Punkt01.csv", "d7/Schlag2_Punkt02.csv", "d7/Schlag2_Punkt03.csv"}),
+      ElementsAre(ElementsAre("d7/Schlag1", "d7/Schlag2"), ElementsAre("d7/Punkt01", "d7/Punkt02", "d7/Punkt03")));
+  EXPECT_THAT(stems_by_two_numbers({"P1S1.h5", "P1S2.h5", "P1S3.h5", "P2S1.h5", "P2S2.h5", "P2S3.h5", "P3S2.h5"}),
+              ElementsAre(ElementsAre("P1", "P2", "P3")))
+      << "hits were deleted";
+}
+
+TEST(GroupingsByTwoNumbers, NeedAGridOfTwoNumbers) {
+  for (const std::vector<std::string>& paths : std::vector<std::vector<std::string>>{
+           {},
+           {"P1.csv", "P2.csv", "P3.csv", "P4.csv"},                                      // one number
+           {"M151_P1.csv", "M154_P2.csv", "M160_P4.csv", "M161_P5.csv"},                  // a count of captures
+           {"A1.csv", "A2.csv", "B1.csv", "B2.csv"},                                      // other texts
+           {"P1S1.csv", "P1S2.csv", "P2S3.csv", "P2S4.csv"},                              // numbers that go on
+           {"P1S1.csv", "P1S01.csv", "P2S1.csv", "P2S01.csv"},                            // equal numbers
+           {"P1S20240131.csv", "P1S20240201.csv", "P2S20240131.csv", "P2S20240201.csv"},  // dates
+           {"P1S1M1.csv", "P1S2M2.csv", "P2S1M3.csv", "P2S2M4.csv"}})                     // three numbers
+    EXPECT_THAT(groupings_by_two_numbers(paths), IsEmpty()) << testing::PrintToString(paths);
+}
+
 TEST(FilesCalledHits, AreGroupedByFolderAndName) {
   const std::vector<std::string> paths{"A/hit1.wav", "A/hit2.wav", "A/notes.csv", "B/Hit_1.wav",   "B/Hit_2.wav",
                                        "hit1.h5",    "hit2.h5",    "C_blow1.h5",  "C_blow (2).h5", "C_hit1.h5"};

@@ -165,4 +165,41 @@ TEST(NamedFiles, AreHitsWhereTheGeometryFitsTheGroups) {
   EXPECT_EQ(judge_named_files(paths, {}, numbers(1, 4)), NamedFiles::points);
 }
 
+TEST(TwoNumbers, AreReadAsTheGeometryAllows) {
+  std::vector<std::string> paths;
+  for (int p = 1; p <= 4; ++p) {
+    for (int h = 1; h <= 3; ++h) paths.push_back("P" + std::to_string(p) + "S" + std::to_string(h) + ".csv");
+  }
+  const auto judged = [&](const std::set<int>& geometry) {
+    return judge_two_numbers(paths, acquire::groupings_by_two_numbers(paths), geometry);
+  };
+  ASSERT_EQ(judged({}).groupings.size(), 1U);
+  EXPECT_EQ(judged({}).groupings.front().size(), 4U) << "the first number";
+  EXPECT_FALSE(judged({}).certain);
+  for (const std::set<int>& geometry : {numbers(1, 4), numbers(0, 4)}) {
+    ASSERT_EQ(judged(geometry).groupings.size(), 1U);
+    EXPECT_EQ(judged(geometry).groupings.front().size(), 4U);
+    EXPECT_TRUE(judged(geometry).certain);
+  }
+  EXPECT_EQ(judged(numbers(1, 3)).groupings.front().size(), 3U) << "three points were struck in four runs";
+  EXPECT_EQ(judged(numbers(1, 7)).groupings.size(), 2U) << "a part of the points";
+  EXPECT_FALSE(judged(numbers(1, 7)).certain);
+  EXPECT_FALSE(judged(numbers(1, 40)).certain) << "each file may be a point";
+  EXPECT_TRUE(judged(numbers(1, 12)).groupings.empty()) << "each file is a point";
+  EXPECT_TRUE(judged(numbers(8, 2)).groupings.empty());
+}
+
+TEST(PointNames, FindFilesWithTwoNumbersInTheirNames) {
+  const acquire::Record record = record_of(
+      {"S1_P01.csv", "S1_P02.csv", "S1_P03.csv", "S2_P01.csv", "S2_P02.csv", "S2_P03.csv"}, {0, 1, 2, 0, 1, 2});
+  EXPECT_THAT(names_of(record, numbers(1, 3)), ElementsAre("1 (P01)", "2 (P02)", "3 (P03)"));
+}
+
+TEST(NamedAsPoints, AreNamesWithTheNumbersOfPoints) {
+  EXPECT_TRUE(named_as_points({"P1.csv", "P2.csv"}));
+  EXPECT_TRUE(named_as_points({"P1_hit1.csv", "P1_hit2.csv", "P2_hit1.csv", "P2_hit2.csv"}));
+  EXPECT_FALSE(named_as_points({"hit1.csv", "hit2.csv"}));
+  EXPECT_FALSE(named_as_points({"before.csv", "after.csv"}));
+}
+
 }  // namespace percuss::pipeline::point_names_test
