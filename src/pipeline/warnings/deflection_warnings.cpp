@@ -87,6 +87,21 @@ void add_moving(const DeflectionResults& test, std::vector<Warning>& out) {
   }
 }
 
+// Hits before which the structure swayed too slowly for add_moving(): the acceleration before them is a line.
+void add_swaying(const DeflectionResults& test, std::vector<Warning>& out) {
+  std::vector<std::size_t> swaying;
+  for (const auto& of : test.deflections) {
+    if (of.deflection->moved_before && (swaying.empty() || swaying.back() != of.hit)) swaying.push_back(of.hit);
+  }
+  if (swaying.empty()) return;
+  out.push_back(with_remedy(
+      {"not_at_rest",
+       "before " + hit_list(swaying) +
+           " the acceleration is not at its level before the first hit: the structure still swayed, and its sway is "
+           "no bias of the sensor. The ± includes the difference; the sway itself is not part of the deflection"},
+      "wait longer between hits"));
+}
+
 // The accelerometers' coupling does not show in their own samples. The force's does, and one recorder often couples all
 // channels alike. A high-pass with the corner f changes a deflection by the share 2πft at the time t after the impact.
 void add_coupling(const DeflectionResults& test, std::vector<Warning>& out) {
@@ -159,6 +174,7 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
         "record with more pre-trigger"));
   }
   add_moving(test, out);
+  add_swaying(test, out);
   const auto unknown = std::count_if(test.deflections.begin(), test.deflections.end(),
                                      [](const auto& of) { return !of.deflection->has_peak(); });
   if (unknown > 0) {
