@@ -12,6 +12,7 @@
 #include "core/units.hpp"
 #include "identify/model/truncation.hpp"
 #include "metrics/deflection/baseline_noise.hpp"
+#include "pipeline/hits/motion_before.hpp"
 #include "pipeline/impacts.hpp"
 
 namespace percuss::pipeline {
@@ -105,6 +106,19 @@ class SignalReader {
     return signals_of_hit(record(), impacts_.all[hit(i)], options_, first_sample(i), channel,
                           modes_.at({point(i), channel}));
   }
+  // From the rest before the first blow in the row; nothing for this blow itself.
+  std::optional<metrics::SensorLevel> level(std::size_t i) const {
+    std::size_t blow = hit(i);
+    while (const auto before = last_blow_before(impacts_.all, blow).hit) blow = *before;
+    if (blow == hit(i)) return std::nullopt;
+    const acquire::Hit& first = impacts_.all[blow].hit;
+    const std::size_t end = first.gate_first - std::min(first.gate_first, kFilterBeforePulse);
+    const std::size_t begin = first_sample_of_impact(record(), analysis_.options().hits, impacts_.all, blow);
+    if (begin >= end) return std::nullopt;
+    std::vector<double> rest(end - begin);
+    record().read_accel_mps2(first.row, i % channels(), begin, rest);
+    return metrics::sensor_level(rest, record().fs_Hz);
+  }
 
  private:
   const Analysis& analysis_;
@@ -162,7 +176,10 @@ std::vector<DeflectedHit> hit_deflections(const Analysis& analysis, const TestIm
   std::vector<DeflectedHit> out(reader.size());
   parallel_for(out.size(), threads, [&](std::size_t i) {
     HitSignals hit = reader.signals(i);
-    if (integrates) hit.impact.flicker_strength = strengths[i % channels];
+    if (integrates) {
+      hit.impact.flicker_strength = strengths[i % channels];
+      hit.impact.level = reader.level(i);
+    }
     hit.impact.motion = std::exchange(evidence[i].motion, nullptr);  // as large as the deflection that it becomes
     metrics::DeflectionOptions chosen = options.deflection;
     if (automatic && reader.moving(i) && !hit.impact.modes.empty()) chosen.method = metrics::DeflectionMethod::modal;

@@ -18,6 +18,7 @@
 #include "pipeline/impacts.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/deflection_warnings.hpp"
+#include "pipeline/warnings/force_findings.hpp"
 #include "pipeline/warnings/lost_sample_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
 
@@ -143,7 +144,11 @@ std::vector<Warning> warnings_of(const ImpactTest& test, const TestImpacts& impa
     const bool accepted = is_accepted_by_user(analysis.options(), h);
     (accepted ? results.clipped_used : results.clipped_left_out).push_back({h, impacts.clipped_samples[h]});
   }
-  for (const DeflectedHit& hit : test.hits) results.deflections.push_back({hit.hit, &hit.deflection});
+  if (!(options.deflection.highpass_corner_Hz > 0)) results.coupling_Hz = coupling_corner_Hz(impacts.all, impacts.used);
+  for (const DeflectedHit& hit : test.hits) {
+    results.deflections.push_back(
+        {hit.hit, &hit.deflection, impacts.all[hit.hit].hit.onset_s - hit.first_s, closed.record.fs_Hz});
+  }
   std::vector<Warning> warnings = deflection_warnings(results);
   for (const auto& more : {input_warnings(closed.record), closed_gap_warnings(closed, impacts.all),
                            left_out_warnings(impacts.all, analysis.options())})

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pipeline/impacts.hpp"
+#include "pipeline/warnings/deflection_warnings.hpp"
 #include "support/changed_record.hpp"
 #include "support/force_row.hpp"
 #include "support/magnitude.hpp"
@@ -111,6 +112,23 @@ TEST(ImpactTest, KeepsTheModalDeflectionOfAClippedImpact) {
   const double limit_mps2 = largest_of_the_second_blow() / 100;
   const ImpactTest test = deflection_of_clipped(limit_mps2, {}, true, metrics::DeflectionMethod::modal);
   EXPECT_THAT(deflected_hits(test), testing::ElementsAre(0, 1, 2));
+}
+
+// A sound card couples its channels by AC. 2 Hz change a deflection of 5 mm after 0.1 s by far more than 0.04 mm.
+TEST(ImpactTest, WarnsOfAnAcCoupledForceWhereItsCornerMatters) {
+  const auto warnings = [](double coupling_Hz, double peak_std_m) {
+    metrics::Deflection deflection;
+    deflection.peak = 4800;
+    deflection.peak_m = 0.005;
+    deflection.peak_std_m = peak_std_m;
+    return deflection_warnings(
+        {.rest_recorded = true, .coupling_Hz = coupling_Hz, .deflections = {{0, &deflection, 0.0, 48000.0}}});
+  };
+  const auto coupled = testing::Contains(testing::Field(&Warning::code, "ac_coupling"));
+  EXPECT_THAT(warnings(2, 4e-5), coupled);
+  EXPECT_THAT(test::lines_of_messages(warnings(2, 4e-5)), testing::Contains(testing::HasSubstr("a corner of 2 Hz")));
+  EXPECT_THAT(warnings(0, 4e-5), testing::Not(coupled));
+  EXPECT_THAT(warnings(1e-4, 4e-5), testing::Not(coupled));
 }
 
 // A ball strikes, and the hammer's channel holds noise: the deflections are the ones without a force.

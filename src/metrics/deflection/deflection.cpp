@@ -21,6 +21,9 @@ constexpr double kOnsetNoise = 8;      // standard deviations of the noise that 
 constexpr double kOnsetLevel = 1e-3;   // … and the part of the largest acceleration
 constexpr double kGlitch = 0.01;       // of the largest acceleration: a weaker motion is no impact …
 constexpr std::ptrdiff_t kQuietAfterGlitch = 64;  // … if this many samples at rest follow it
+constexpr std::size_t kMinLevel = 64;             // samples that give a sensor's level
+constexpr double kByLine = 0.5;                   // of the peak: a line that makes so much of it …
+constexpr double kNoBias = 5;                     // … and so many standard deviations is no bias of the sensor
 constexpr double kLowestShare = 0.5;              // default lowest frequency over the frequency of the strongest line
 
 double largest_magnitude(std::span<const double> x) { return extremes_of(x).max_distance_from(0); }
@@ -104,13 +107,23 @@ std::optional<DriftFree> drift_free_of_flicker(const ImpactSignal& signal, const
   return out;
 }
 
-DriftFree drift_free(const ImpactSignal& signal, const DeflectionOptions& options) {
+// The line through the samples before the impact, less the level of the sensor. 0 where no level is known.
+Eigen::Vector2d line_above_level(const ImpactSignal& signal, const BaselineEstimate& rest) {
+  if (!signal.level || rest.residual_mps2.empty()) return Eigen::Vector2d::Zero();
+  return {rest.bias(0) - signal.level->mps2, rest.bias(1)};
+}
+
+// moved_before: the line through the samples before the impact may be that of a motion; the bias and the drift of the
+// sensor are then known to their differences from the sensor's level only.
+DriftFree drift_free(const ImpactSignal& signal, const DeflectionOptions& options, bool moved_before = false) {
   Integrated integrated = integrate_after_rest(signal, options);
-  const BaselineEstimate& rest = integrated.rest;
+  BaselineEstimate& rest = integrated.rest;
+  if (moved_before) rest.covariance.diagonal() += line_above_level(signal, rest).cwiseAbs2();
   ZeroMeanCorrection late{.bias = Eigen::Vector2d::Zero(), .covariance = rest.covariance};
   if (integrated.may_return)
     late = zero_mean_correction(integrated.swing_m, signal.fs_Hz, options.highpass_corner_Hz, rest);
-  auto coloured = drift_free_of_flicker(signal, options, integrated, late.held);
+  std::optional<DriftFree> coloured;
+  if (!moved_before) coloured = drift_free_of_flicker(signal, options, integrated, late.held);
   DriftFree out;
   if (coloured) {
     out = std::move(*coloured);
@@ -118,7 +131,8 @@ DriftFree drift_free(const ImpactSignal& signal, const DeflectionOptions& option
     Motion& motion = integrated.motion;
     out.deflection = {.method = DeflectionMethod::drift_free,
                       .bias_mps2 = rest.bias(0) + late.bias(0),
-                      .zero_mean_corrected = late.held};
+                      .zero_mean_corrected = late.held,
+                      .moved_before = moved_before};
     out.deflection.std_m.resize(integrated.accel_mps2.size());
     const double largest = largest_magnitude(motion.deflection_m);
     for (std::size_t i = 0; i < out.deflection.std_m.size(); ++i) {
@@ -139,6 +153,28 @@ DriftFree drift_free(const ImpactSignal& signal, const DeflectionOptions& option
     prepend_rest(*values, integrated.first);
   if (!out.levelled_mps2.empty()) prepend_rest(out.levelled_mps2, integrated.first);
   return out;
+}
+
+// Whether the peak is the double integral of a line that is no bias of the sensor. A structure that sways slowly moves
+// along a line within the samples before the impact. Continued for seconds, this line makes metres.
+bool is_made_by_motion_before(const ImpactSignal& signal, const DeflectionOptions& options, const Deflection& d) {
+  if (!signal.level || d.zero_mean_corrected || !d.has_peak()) return false;
+  const std::size_t first = std::min(samples_at_rest(signal), signal.accel_mps2.size() - 1);
+  const BaselineEstimate rest =
+      baseline_estimate(signal.accel_mps2.first(first), signal.fs_Hz, rms(signal.accel_mps2.subspan(first)));
+  const double t_s = static_cast<double>(d.peak - std::min(d.peak, first)) / signal.fs_Hz;
+  const Eigen::Vector2d by_bias = drifted_deflection_m(t_s, options.highpass_corner_Hz);
+  const double by_line_m = std::abs(line_above_level(signal, rest).dot(by_bias));
+  return by_line_m > kByLine * std::abs(d.peak_m) &&
+         by_line_m > kNoBias * std::hypot(d.peak_std_m, signal.level->std_mps2 * by_bias(0));
+}
+
+Deflection drift_free_with_peak(const ImpactSignal& signal, const DeflectionOptions& options, bool moved_before) {
+  DriftFree found = drift_free(signal, options, moved_before);
+  ImpactSignal levelled = signal;
+  if (!found.levelled_mps2.empty()) levelled.accel_mps2 = found.levelled_mps2;
+  find_largest(levelled, options, found.deflection);
+  return std::move(found.deflection);
 }
 
 Deflection small_interval(const ImpactSignal& signal) {
@@ -238,11 +274,8 @@ Deflection deflection_of(const ImpactSignal& signal, const DeflectionOptions& op
     method = modal ? DeflectionMethod::modal : DeflectionMethod::drift_free;
   }
   if (method == DeflectionMethod::drift_free) {
-    DriftFree found = drift_free(signal, options);
-    ImpactSignal levelled = signal;
-    if (!found.levelled_mps2.empty()) levelled.accel_mps2 = found.levelled_mps2;
-    find_largest(levelled, options, found.deflection);
-    return std::move(found.deflection);
+    Deflection found = drift_free_with_peak(signal, options, false);
+    return is_made_by_motion_before(signal, options, found) ? drift_free_with_peak(signal, options, true) : found;
   }
   Deflection out = method == DeflectionMethod::small_interval ? small_interval(signal)
                    : method == DeflectionMethod::frequency    ? deflection_by_frequency(signal, options)
@@ -256,6 +289,15 @@ FlickerEvidence flicker_evidence(const ImpactSignal& signal, const DeflectionOpt
   Integrated integrated = integrate_after_rest(signal, options);
   return {.log_gains = noise_of(integrated, signal.fs_Hz, options.highpass_corner_Hz).log_gains(),
           .motion = std::make_shared<const Motion>(std::move(integrated.motion))};
+}
+
+std::optional<SensorLevel> sensor_level(std::span<const double> before_mps2, double fs_Hz) {
+  if (before_mps2.size() < kMinLevel) return std::nullopt;
+  const BaselineEstimate rest = baseline_estimate(before_mps2, fs_Hz, 0);
+  const auto n = static_cast<double>(before_mps2.size());
+  const double half_s = (n + 1) / 2 / fs_Hz;  // from the middle of the samples to the one after them
+  return SensorLevel{.mps2 = rest.bias(0) - rest.bias(1) * half_s,
+                     .std_mps2 = std::hypot(rest.noise_mps2 / std::sqrt(n), rest.bias(1) * half_s)};
 }
 
 double motion_onset_s(std::span<const double> accel_mps2, double fs_Hz) {

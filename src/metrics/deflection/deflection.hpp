@@ -15,6 +15,11 @@ namespace percuss::metrics {
 enum class DeflectionMethod { automatic, small_interval, drift_free, frequency, modal };
 const char* name_of(DeflectionMethod method);
 
+/// The acceleration that a sensor shows at rest.
+struct SensorLevel {
+  double mps2 = 0, std_mps2 = 0;
+};
+
 /// One impact, measured by one accelerometer.
 struct ImpactSignal {
   double fs_Hz = 0;
@@ -30,6 +35,9 @@ struct ImpactSignal {
   std::optional<double> flicker_strength{};
   /// FlickerEvidence::motion of this signal, from the same options. Null: deflection_of() integrates.
   std::shared_ptr<const Motion> motion{};
+  /// The sensor's level, from the rest before an earlier impact of the same record. Not set: the structure is taken to
+  /// rest before this impact.
+  std::optional<SensorLevel> level{};
 };
 
 struct DeflectionOptions {
@@ -45,8 +53,11 @@ struct Deflection {
   std::vector<double> std_m;         // of the deflection; empty where the method has none
   double bias_mps2 = 0;              // subtracted from the acceleration
   bool zero_mean_corrected = false;  // the late deflection served to correct the drift (ZeroMeanCorrection)
-  std::size_t peak = 0;              // sample of the largest significant deflection
-  double peak_m = 0;                 // signed; NaN, like peak_std_m and forward_m, where no deflection is significant
+  // drift_free only: the line through the samples before the impact, which is no bias of the sensor (ImpactSignal::
+  // level), made most of the deflection. The standard deviation includes it, and the peak was found anew.
+  bool moved_before = false;
+  std::size_t peak = 0;  // sample of the largest significant deflection
+  double peak_m = 0;     // signed; NaN, like peak_std_m and forward_m, where no deflection is significant
   double peak_std_m = 0;
   bool larger_later = false;  // larger values follow the peak, but their standard deviation grows faster than they
   // modal only: rigid-body motion is left out, and the record does not show that the structure returns to rest
@@ -64,6 +75,8 @@ struct Deflection {
 ///                   (integrate_twice), and centres a held structure on its position of rest. Its standard deviation
 ///                   includes the bias and the double integral of white noise, σ_w² = σ_a² Δt t³/3. Where the noise
 ///                   rises at low frequencies, the error that it makes is estimated and subtracted (BaselineNoise).
+///                   Where the line before the impact is that of a motion (Deflection::moved_before), the standard
+///                   deviation includes the line's difference from the sensor's level.
 ///   small_interval  first-order sums from the impact on (small_interval_sums), without any correction
 ///   frequency       division in the frequency domain, line by line
 ///   modal           the response of the modes to the force
@@ -83,6 +96,10 @@ struct FlickerEvidence {
   std::shared_ptr<const Motion> motion;
 };
 FlickerEvidence flicker_evidence(const ImpactSignal& signal, const DeflectionOptions& options = {});
+
+/// The level of a sensor, from the samples before an impact. Its standard deviation includes a drift of the level
+/// within them. Nothing with fewer than 64 samples.
+std::optional<SensorLevel> sensor_level(std::span<const double> before_mps2, double fs_Hz);
 
 /// The time at which the structure starts to move, counted from the first sample, for records without force. It is the
 /// time of the first sample beyond eight standard deviations of the noise (from the first fiftieth of the record) and

@@ -113,7 +113,9 @@ void find_largest(const ImpactSignal& signal, const DeflectionOptions& options, 
   const Curve own{.value_m = &d.deflection_m, .std_m = &d.std_m};
   auto peak = most_significant(own, 0);
   std::optional<LowNoiseCurve> low_noise;
-  const bool held = d.method == DeflectionMethod::drift_free && !options.free_body && !(signal.rigid_per_kg > 0);
+  // Decays that begin in a sway do not begin at rest.
+  const bool held =
+      d.method == DeflectionMethod::drift_free && !options.free_body && !(signal.rigid_per_kg > 0) && !d.moved_before;
   if (held && (!peak || is_weak(d, *peak))) low_noise = low_noise_curve(signal, options, d);
   if (low_noise) {
     const auto surer = largest({.value_m = &low_noise->value_m, .std_m = &low_noise->std_m}, 0);

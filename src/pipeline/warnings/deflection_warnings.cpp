@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "core/io/counted_words.hpp"
+#include "core/units.hpp"
 #include "pipeline/warnings/hit_list.hpp"
 
 namespace percuss::pipeline {
@@ -85,6 +87,43 @@ void add_moving(const DeflectionResults& test, std::vector<Warning>& out) {
   }
 }
 
+// Hits before which the structure swayed too slowly for add_moving(): the acceleration before them is a line.
+void add_swaying(const DeflectionResults& test, std::vector<Warning>& out) {
+  std::vector<std::size_t> swaying;
+  for (const auto& of : test.deflections) {
+    if (of.deflection->moved_before && (swaying.empty() || swaying.back() != of.hit)) swaying.push_back(of.hit);
+  }
+  if (swaying.empty()) return;
+  out.push_back(with_remedy(
+      {"not_at_rest",
+       "before " + hit_list(swaying) +
+           " the acceleration is not at its level before the first hit: the structure still swayed, and its sway is "
+           "no bias of the sensor. The ± includes the difference; the sway itself is not part of the deflection"},
+      "wait longer between hits"));
+}
+
+// The accelerometers' coupling does not show in their own samples. The force's does, and one recorder often couples all
+// channels alike. A high-pass with the corner f changes a deflection by the share 2πft at the time t after the impact.
+void add_coupling(const DeflectionResults& test, std::vector<Warning>& out) {
+  const bool matters =
+      test.coupling_Hz > 0 && std::any_of(test.deflections.begin(), test.deflections.end(), [&](const auto& of) {
+        const metrics::Deflection& d = *of.deflection;
+        const double time_s = static_cast<double>(d.peak) / of.fs_Hz - of.onset_s;
+        return d.method != metrics::DeflectionMethod::modal && d.has_peak() &&
+               kTwoPi * test.coupling_Hz * time_s * std::abs(d.peak_m) > d.peak_std_m;
+      });
+  if (!matters) return;
+  out.push_back(with_remedy(
+      {"ac_coupling",
+       fmt::format("the force undershoots after each pulse: its channel is AC-coupled, with a corner of {:.2g} Hz. If "
+                   "the accelerations have it, too, their deflections are off by far more than their ±",
+                   test.coupling_Hz),
+       {"highpass_corner"}},
+      fmt::format("couple the channels by DC; or, if all channels are coupled alike, state the high-pass corner of "
+                  "{:.2g}",
+                  test.coupling_Hz)));
+}
+
 // "hit 2 (227 samples), hit 5 (1 sample)"
 std::string list_of_clipped_impacts(const std::vector<DeflectionResults::ClippedImpact>& impacts) {
   constexpr std::size_t kMaxListed = 8;
@@ -128,12 +167,14 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
         "check the cables and the channels of these hits"));
   }
   add_clipped(test, out);
+  add_coupling(test, out);
   if (!test.rest_recorded) {
     out.push_back(with_remedy(
         {"no_rest", "a record begins too late to contain the rest before the impact, from which the bias is estimated"},
         "record with more pre-trigger"));
   }
   add_moving(test, out);
+  add_swaying(test, out);
   const auto unknown = std::count_if(test.deflections.begin(), test.deflections.end(),
                                      [](const auto& of) { return !of.deflection->has_peak(); });
   if (unknown > 0) {

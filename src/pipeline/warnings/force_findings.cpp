@@ -330,16 +330,22 @@ std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, c
       "lower the gain, use a sensor of larger range, or strike more softly")};
 }
 
-std::vector<Warning> coupling_warnings(const std::vector<AnalysedHit>& hits, double low_Hz) {
+double coupling_corner_Hz(const std::vector<AnalysedHit>& hits, const std::vector<std::size_t>& chosen) {
   std::vector<double> corners;
-  for (const std::size_t h : accepted_hits(hits)) corners.push_back(hits[h].hit.coupling_Hz);
-  if (corners.empty() || !(low_Hz > 0)) return {};
+  for (const std::size_t h : chosen) corners.push_back(hits[h].hit.coupling_Hz);
+  if (corners.empty()) return 0;
   const double corner_Hz = median(corners);
-  const double phase_rad = std::atan(corner_Hz / low_Hz);
   const auto agrees = [&](double hz) { return std::abs(hz - corner_Hz) < kMaxCornerSpread * corner_Hz; };
-  if (phase_rad < kMinCouplingPhase_rad ||
-      2 * std::count_if(corners.begin(), corners.end(), agrees) <= static_cast<std::ptrdiff_t>(corners.size()))
-    return {};
+  const bool most =
+      2 * std::count_if(corners.begin(), corners.end(), agrees) > static_cast<std::ptrdiff_t>(corners.size());
+  return most ? corner_Hz : 0;
+}
+
+std::vector<Warning> coupling_warnings(const std::vector<AnalysedHit>& hits, double low_Hz) {
+  if (!(low_Hz > 0)) return {};
+  const double corner_Hz = coupling_corner_Hz(hits, accepted_hits(hits));
+  const double phase_rad = std::atan(corner_Hz / low_Hz);
+  if (phase_rad < kMinCouplingPhase_rad) return {};
   return {with_remedy(
       {"ac_coupling",
        fmt::format("the force undershoots after each pulse: its channel is AC-coupled, with a corner of {:.2g} Hz. The "

@@ -18,6 +18,9 @@ std::vector<Warning> aliasing_warnings(const acquire::Record& record, const std:
 std::vector<Warning> analogue_clipping_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                                 const HitResponses& responses);
 
+/// The corner in Hz of the force channel's AC coupling that most of these hits agree on; 0 where they do not.
+double coupling_corner_Hz(const std::vector<AnalysedHit>& hits, const std::vector<std::size_t>& chosen);
+
 /// `ac_coupling`: the force channel undershoots after each pulse, with a corner frequency that turns the FRFs' phase at
 /// `low_Hz`, the low end of the band.
 std::vector<Warning> coupling_warnings(const std::vector<AnalysedHit>& hits, double low_Hz);
