@@ -31,7 +31,7 @@ std::string document_of_tests(const AnalyzeResults& results);
 void check_analyze_outputs(const AnalyzeFlags& flags);
 
 /// Whether the path names a table of modes, not of FRFs: "modes.csv", "NAME.modes.csv", "NAME-modes.csv".
-bool is_modes_table(const std::string& path);
+bool is_csv_of_modes(const std::string& path);
 
 /// Whether all outputs can hold several tests: documents and tables of modes.
 bool holds_several_tests(const AnalyzeFlags& flags);

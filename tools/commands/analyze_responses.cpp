@@ -99,7 +99,7 @@ void require_fitted(const std::vector<pipeline::ResponseTest>& tests, const std:
 void complete_outcome(CommandResult& outcome, const SharedTests& tests) {
   outcome.save = [tests, save_report = outcome.save](const SaveRequest& request) {
     require_fitted(*tests, request.path);
-    if (is_modes_table(request.path)) {
+    if (is_csv_of_modes(request.path)) {
       write_file(request.path, report::modes_csv(*tests), request.force);
     } else {
       save_report(request);
@@ -136,7 +136,7 @@ int analyze_responses(const AnalyzeFlags& flags, std::vector<acquire::Record> re
   refuse_frf_files(output, records.front().source());
   check_report_outputs(output);
   const auto first_table = std::stable_partition(output.paths.begin(), output.paths.end(),
-                                                 [](const std::string& path) { return !is_modes_table(path); });
+                                                 [](const std::string& path) { return !is_csv_of_modes(path); });
   tables.insert(tables.end(), first_table, output.paths.end());
   output.paths.erase(first_table, output.paths.end());
   Progress progress("fitting decays", flags.output.quiet);
