@@ -17,6 +17,7 @@ def compare(
     customer: str | None = None,
     operator: str | None = None,
     specimen: str | None = None,
+    date: str | None = None,
     note: str | None = None,
     logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
@@ -51,6 +52,8 @@ def compare(
         State on the page who did the test.
     specimen : str, optional
         State on the page what was tested.
+    date : str, optional
+        State on the page when the test was done (default: as the file states it).
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
     logo : path, optional
@@ -90,5 +93,5 @@ def compare(
     """
     return Result(run_on_documents("compare", "compare", documents, {
         "furthest": furthest, "least_mac": least_mac, "title": title, "customer": customer,
-        "operator": operator, "specimen": specimen, "note": note, "logo": logo, "paper": paper,
+        "operator": operator, "specimen": specimen, "date": date, "note": note, "logo": logo, "paper": paper,
     }))

@@ -61,6 +61,7 @@ def deflect(
     customer: str | None = None,
     operator: str | None = None,
     specimen: str | None = None,
+    date: str | None = None,
     note: str | None = None,
     logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
@@ -161,6 +162,8 @@ def deflect(
         State on the page who did the test.
     specimen : str, optional
         State on the page what was tested.
+    date : str, optional
+        State on the page when the test was done (default: as the file states it).
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
     logo : path, optional
@@ -246,6 +249,6 @@ def deflect(
         "reject_hit": reject_hit, "modes": modes, "start": start, "trigger": trigger, "pretrigger": pretrigger,
         "length": length, "from_": from_, "to": to, "force_window": force_window, "exponential": exponential,
         "delay": delay, "overlay_db": overlay_db, "object": object, "threads": threads, "budget": budget,
-        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "note": note,
-        "logo": logo, "paper": paper,
+        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "date": date,
+        "note": note, "logo": logo, "paper": paper,
     }))

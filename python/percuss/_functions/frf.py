@@ -51,6 +51,7 @@ def frf(
     customer: str | None = None,
     operator: str | None = None,
     specimen: str | None = None,
+    date: str | None = None,
     note: str | None = None,
     logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
@@ -129,6 +130,8 @@ def frf(
         State on the page who did the test.
     specimen : str, optional
         State on the page what was tested.
+    date : str, optional
+        State on the page when the test was done (default: as the file states it).
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
     logo : path, optional
@@ -216,6 +219,6 @@ def frf(
         "modes": modes, "start": start, "trigger": trigger, "pretrigger": pretrigger, "length": length,
         "from_": from_, "to": to, "force_window": force_window, "exponential": exponential, "delay": delay,
         "overlay_db": overlay_db, "object": object, "threads": threads, "budget": budget, "title": title,
-        "customer": customer, "operator": operator, "specimen": specimen, "note": note, "logo": logo,
-        "paper": paper, "kind": kind,
+        "customer": customer, "operator": operator, "specimen": specimen, "date": date, "note": note,
+        "logo": logo, "paper": paper, "kind": kind,
     }), kind=kind)

@@ -18,6 +18,7 @@ def abi(
     customer: str | None = None,
     operator: str | None = None,
     specimen: str | None = None,
+    date: str | None = None,
     note: str | None = None,
     logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
@@ -43,6 +44,8 @@ def abi(
         State on the page who did the test.
     specimen : str, optional
         State on the page what was tested.
+    date : str, optional
+        State on the page when the test was done (default: as the file states it).
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
     logo : path, optional
@@ -70,5 +73,5 @@ def abi(
     """
     return Result(run_on_documents("metrics.abi", "abi", (log,), {
         "limit": limit, "title": title, "customer": customer, "operator": operator, "specimen": specimen,
-        "note": note, "logo": logo, "paper": paper,
+        "date": date, "note": note, "logo": logo, "paper": paper,
     }))

@@ -20,6 +20,7 @@ def certify(
     customer: str | None = None,
     operator: str | None = None,
     specimen: str | None = None,
+    date: str | None = None,
     note: str | None = None,
     logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
@@ -48,6 +49,8 @@ def certify(
         State on the page who did the test.
     specimen : str, optional
         State on the page what was tested.
+    date : str, optional
+        State on the page when the test was done (default: as the file states it).
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
     logo : path, optional
@@ -76,6 +79,6 @@ def certify(
     """
     return Result(run_on_documents("metrics.certify", "certify", (session,), {
         "metric": metric, "limit": limit, "accept_plateau": accept_plateau, "title": title,
-        "customer": customer, "operator": operator, "specimen": specimen, "note": note, "logo": logo,
-        "paper": paper,
+        "customer": customer, "operator": operator, "specimen": specimen, "date": date, "note": note,
+        "logo": logo, "paper": paper,
     }))

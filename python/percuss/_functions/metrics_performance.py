@@ -51,6 +51,7 @@ def performance(
     customer: str | None = None,
     operator: str | None = None,
     specimen: str | None = None,
+    date: str | None = None,
     note: str | None = None,
     logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
@@ -152,6 +153,8 @@ def performance(
         State on the page who did the test.
     specimen : str, optional
         State on the page what was tested.
+    date : str, optional
+        State on the page when the test was done (default: as the file states it).
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
     logo : path, optional
@@ -200,6 +203,6 @@ def performance(
         "v_pitch_mph": v_pitch_mph, "nominal_mph": nominal_mph, "v0_mph": v0_mph,
         "swing_length_in": swing_length_in, "swing_moi_oz_in2": swing_moi_oz_in2,
         "swing_exponent": swing_exponent, "lot_correction": lot_correction, "gravity_in_s2": gravity_in_s2,
-        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "note": note,
-        "logo": logo, "paper": paper, "keep_formulas": keep_formulas,
+        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "date": date,
+        "note": note, "logo": logo, "paper": paper, "keep_formulas": keep_formulas,
     }))

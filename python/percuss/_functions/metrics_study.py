@@ -20,6 +20,7 @@ def study(
     customer: str | None = None,
     operator: str | None = None,
     specimen: str | None = None,
+    date: str | None = None,
     note: str | None = None,
     logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
@@ -56,6 +57,8 @@ def study(
         State on the page who did the test.
     specimen : str, optional
         State on the page what was tested.
+    date : str, optional
+        State on the page when the test was done (default: as the file states it).
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
     logo : path, optional
@@ -86,6 +89,6 @@ def study(
     """
     return Result(run_on_documents("metrics.study", "study", tables, {
         "figures": figures, "program": program, "hoop_curve": hoop_curve, "blind": blind, "table": table,
-        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "note": note,
-        "logo": logo, "paper": paper, "keep_formulas": keep_formulas,
+        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "date": date,
+        "note": note, "logo": logo, "paper": paper, "keep_formulas": keep_formulas,
     }))

@@ -44,6 +44,7 @@ def bat(
     customer: str | None = None,
     operator: str | None = None,
     specimen: str | None = None,
+    date: str | None = None,
     note: str | None = None,
     logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
@@ -128,6 +129,8 @@ def bat(
         State on the page who did the test.
     specimen : str, optional
         State on the page what was tested.
+    date : str, optional
+        State on the page when the test was done (default: as the file states it).
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
     logo : path, optional
@@ -165,5 +168,5 @@ def bat(
         "ball_exponent": ball_exponent, "modes": modes, "at": at, "wave": wave, "wave_times": wave_times,
         "fit": fit, "measured": measured, "measured_std": measured_std, "measured_modes": measured_modes,
         "budget": budget, "title": title, "customer": customer, "operator": operator, "specimen": specimen,
-        "note": note, "logo": logo, "paper": paper,
+        "date": date, "note": note, "logo": logo, "paper": paper,
     }))

@@ -40,6 +40,7 @@ def beam(
     customer: str | None = None,
     operator: str | None = None,
     specimen: str | None = None,
+    date: str | None = None,
     note: str | None = None,
     logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
@@ -116,6 +117,8 @@ def beam(
         State on the page who did the test.
     specimen : str, optional
         State on the page what was tested.
+    date : str, optional
+        State on the page when the test was done (default: as the file states it).
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
     logo : path, optional
@@ -147,6 +150,6 @@ def beam(
         "young": young, "shear": shear, "total_mass": total_mass, "add_mass": add_mass, "modes": modes,
         "gyration": gyration, "shear_stiffness": shear_stiffness, "fit": fit, "measured": measured,
         "measured_std": measured_std, "measured_modes": measured_modes, "static": static, "budget": budget,
-        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "note": note,
-        "logo": logo, "paper": paper,
+        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "date": date,
+        "note": note, "logo": logo, "paper": paper,
     }))

@@ -41,6 +41,7 @@ def impact(
     customer: str | None = None,
     operator: str | None = None,
     specimen: str | None = None,
+    date: str | None = None,
     note: str | None = None,
     logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
@@ -124,6 +125,8 @@ def impact(
         State on the page who did the test.
     specimen : str, optional
         State on the page what was tested.
+    date : str, optional
+        State on the page when the test was done (default: as the file states it).
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
     logo : path, optional
@@ -155,6 +158,6 @@ def impact(
         "young": young, "shear": shear, "total_mass": total_mass, "add_mass": add_mass, "at": at,
         "ball_mass": ball_mass, "speed": speed, "hertz": hertz, "contact_cor": contact_cor, "modes": modes,
         "method": method, "step": step, "sweep": sweep, "curves": curves, "threads": threads, "budget": budget,
-        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "note": note,
-        "logo": logo, "paper": paper,
+        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "date": date,
+        "note": note, "logo": logo, "paper": paper,
     }))

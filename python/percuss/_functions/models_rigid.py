@@ -25,6 +25,7 @@ def rigid(
     customer: str | None = None,
     operator: str | None = None,
     specimen: str | None = None,
+    date: str | None = None,
     note: str | None = None,
     logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
@@ -66,6 +67,8 @@ def rigid(
         State on the page who did the test.
     specimen : str, optional
         State on the page what was tested.
+    date : str, optional
+        State on the page when the test was done (default: as the file states it).
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
     logo : path, optional
@@ -94,6 +97,6 @@ def rigid(
     return Result(run_on_documents("models.rigid", "model rigid", (), {
         "ball_mass": ball_mass, "bat_mass": bat_mass, "inertia": inertia, "length": length, "at": at,
         "ball_speed": ball_speed, "swing_rate": swing_rate, "bat_speed": bat_speed, "pivot": pivot, "cor": cor,
-        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "note": note,
-        "logo": logo, "paper": paper,
+        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "date": date,
+        "note": note, "logo": logo, "paper": paper,
     }))

@@ -25,6 +25,7 @@ def shell(
     customer: str | None = None,
     operator: str | None = None,
     specimen: str | None = None,
+    date: str | None = None,
     note: str | None = None,
     logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
@@ -67,6 +68,8 @@ def shell(
         State on the page who did the test.
     specimen : str, optional
         State on the page what was tested.
+    date : str, optional
+        State on the page when the test was done (default: as the file states it).
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
     logo : path, optional
@@ -95,6 +98,6 @@ def shell(
     return Result(run_on_documents("models.shell", "model shell", (), {
         "outer_diameter": outer_diameter, "wall": wall, "length": length, "young": young, "density": density,
         "poisson": poisson, "n": n, "modes": modes, "measured": measured, "fit": fit, "title": title,
-        "customer": customer, "operator": operator, "specimen": specimen, "note": note, "logo": logo,
-        "paper": paper,
+        "customer": customer, "operator": operator, "specimen": specimen, "date": date, "note": note,
+        "logo": logo, "paper": paper,
     }))

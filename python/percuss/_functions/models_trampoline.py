@@ -32,6 +32,7 @@ def trampoline(
     customer: str | None = None,
     operator: str | None = None,
     specimen: str | None = None,
+    date: str | None = None,
     note: str | None = None,
     logo: Path | None = None,
     paper: Literal["a4", "letter"] | None = None,
@@ -92,6 +93,8 @@ def trampoline(
         State on the page who did the test.
     specimen : str, optional
         State on the page what was tested.
+    date : str, optional
+        State on the page when the test was done (default: as the file states it).
     note : str, optional
         Put this text, or the text of a file, at the top of the page.
     logo : path, optional
@@ -125,6 +128,6 @@ def trampoline(
         "ball": ball, "speed": speed, "hoop": hoop, "extra_mass": extra_mass, "free_hoop": free_hoop,
         "loaded_hoop": loaded_hoop, "fit_ccor": fit_ccor, "hold": hold, "bats": bats, "m1": m1, "k1": k1,
         "c1": c1, "a": a, "b": b, "m2": m2, "c2": c2, "budget": budget, "title": title, "customer": customer,
-        "operator": operator, "specimen": specimen, "note": note, "logo": logo, "paper": paper,
+        "operator": operator, "specimen": specimen, "date": date, "note": note, "logo": logo, "paper": paper,
         "keep_formulas": keep_formulas,
     }))
