@@ -371,4 +371,29 @@ TEST(BaselineEstimate, IsZeroForFewSamples) {
   EXPECT_NEAR(std::sqrt(rest.covariance(0, 0)), 2, 1e-12);
 }
 
+// A sway of 1.2 Hz passes its middle before the impact, and moves along a line there. Continued for two seconds, the
+// line makes metres. The level of the sensor shows that it is no bias.
+TEST(Deflection, DoesNotContinueTheLineOfASlowSway) {
+  Impact swaying = impact(20000, 0.1, 2.1);
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0, 1e-3);
+  double sway_m = 0;
+  for (std::size_t i = 0; i < swaying.accel_mps2.size(); ++i) {
+    constexpr double kSway_mps2 = 0.19, kSway_radps = kTwoPi * 1.2;
+    const double t = static_cast<double>(i) / swaying.fs_Hz - 0.05;
+    swaying.accel_mps2[i] += kSway_mps2 * std::sin(kSway_radps * t) + noise(random);
+    sway_m = kSway_mps2 / (kSway_radps * kSway_radps);
+  }
+  ImpactSignal signal{.fs_Hz = swaying.fs_Hz, .accel_mps2 = swaying.accel_mps2, .onset_s = swaying.onset_s};
+  const DeflectionOptions options{.method = DeflectionMethod::drift_free, .free_body = true};
+  const Deflection continued = deflection_of(signal, options);
+  EXPECT_GT(std::abs(continued.peak_m), 0.5);
+  signal.level = SensorLevel{.mps2 = 0, .std_mps2 = 1e-4};
+  const Deflection found = deflection_of(signal, options);
+  EXPECT_TRUE(found.moved_before);
+  EXPECT_LT(found.peak_std_m, 0.02);
+  const double truth_m = test::largest_magnitude(swaying.deflection_m);
+  EXPECT_LT(std::abs(std::abs(found.peak_m) - truth_m), sway_m + 3 * found.peak_std_m);
+}
+
 }  // namespace percuss::metrics::deflection_test
