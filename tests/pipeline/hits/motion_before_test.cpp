@@ -57,23 +57,4 @@ TEST(MotionBefore, IsStatedWhereAnIntegralWasAskedFor) {
   EXPECT_THAT(test.warnings, Contains(Field(&Warning::code, "not_at_rest")));
 }
 
-// A sway of 1.2 Hz moves along a line within the rest of 0.1 s. Continued for two seconds, the line makes metres.
-TEST(MotionBefore, OfASlowSwayIsNoBiasOfTheSensor) {
-  synth::SynthSpec spec =
-      test::bat_spec({{.freq_Hz = 1.2, .damping_ratio = 0.08, .order = 1, .amplitude_per_sqrt_kg = 1.7}}, 4.5);
-  spec.layout = synth::SynthLayout::continuous;
-  spec.hit_times_s = {0.5, 2.5};
-  spec.hits = 2;
-  spec.noise = {.force = 1e-5, .accel = 1e-3};
-  const Analysis analysis = analysis_of(synth::synthesise(spec).record);
-  const ImpactTest test = deflect(analysis, {.deflection = {.method = metrics::DeflectionMethod::drift_free}});
-  ASSERT_FALSE(test.hits.empty());
-  for (const DeflectedHit& hit : test.hits) {
-    if (hit.deflection.has_peak()) {
-      EXPECT_LT(std::abs(hit.deflection.peak_m), 0.1 + 5 * hit.deflection.peak_std_m) << hit.hit;
-    }
-  }
-  EXPECT_THAT(test.warnings, Contains(Field(&Warning::code, "not_at_rest")));
-}
-
 }  // namespace percuss::pipeline::motion_before_test
