@@ -1,7 +1,6 @@
 #include "acquire/record/files_of_hits.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -9,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/io/natural_order.hpp"
 #include "core/io/parse_number.hpp"
 
 namespace percuss::acquire {
@@ -91,34 +91,8 @@ std::optional<std::size_t> start_of_hit_word(std::string_view text) {
   return std::nullopt;
 }
 
-// A path without extension as texts and runs of digits in turn. The first part is a text, perhaps an empty one.
-std::vector<std::string> texts_and_numbers(const std::string& path) {
-  const std::filesystem::path file(path);
-  std::vector<std::string> parts{""};
-  for (const char c : (file.parent_path() / file.stem()).string()) {
-    if (is_digit(c) != (parts.size() % 2 == 0)) parts.emplace_back();
-    parts.back() += c;
-  }
-  return parts;
-}
-
-// The two parts in which the names differ; nothing unless these are numbers, and two.
-std::optional<std::array<std::size_t, 2>> two_varying_numbers(const std::vector<std::vector<std::string>>& names) {
-  std::set<std::size_t> varying;
-  for (const std::vector<std::string>& name : names) {
-    if (name.size() != names.front().size()) return std::nullopt;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-      if (name[i] == names.front()[i]) continue;
-      if (i % 2 == 0) return std::nullopt;
-      varying.insert(i);
-    }
-  }
-  if (varying.size() != 2) return std::nullopt;
-  return std::array{*varying.begin(), *varying.rbegin()};
-}
-
 // The path through the number of the point, without the part that numbers the hit.
-std::string stem_of_point(const std::vector<std::string>& name, std::size_t point, std::size_t hit) {
+std::string stem_of_point(const NameParts& name, std::size_t point, std::size_t hit) {
   const auto joined = [&](std::size_t from, std::size_t end) {
     std::string text;
     for (std::size_t i = from; i < end; ++i) text += name[i];
@@ -131,8 +105,7 @@ std::string stem_of_point(const std::vector<std::string>& name, std::size_t poin
 }
 
 // The files of one number of the point each; empty if the numbers form no such grid.
-std::vector<FilesOfHits> grouped_by(const std::vector<std::vector<std::string>>& names, std::size_t point,
-                                    std::size_t hit) {
+std::vector<FilesOfHits> grouped_by(const std::vector<NameParts>& names, std::size_t point, std::size_t hit) {
   std::vector<FilesOfHits> groups;
   std::vector<std::set<int>> hits;  // [groups]
   std::map<int, std::size_t> group_of;
@@ -179,12 +152,13 @@ std::vector<FilesOfHits> files_of_hits(const std::vector<std::string>& paths) {
 
 std::vector<std::vector<FilesOfHits>> groupings_by_two_numbers(const std::vector<std::string>& paths) {
   if (paths.size() < 4) return {};
-  std::vector<std::vector<std::string>> names;
+  std::vector<NameParts> names;
   names.reserve(paths.size());
-  for (const std::string& path : paths) names.push_back(texts_and_numbers(path));
-  const auto varying = two_varying_numbers(names);
-  if (!varying) return {};
-  const auto [first, second] = *varying;
+  for (const std::string& path : paths)
+    names.push_back(texts_and_numbers(std::filesystem::path(path).replace_extension().string()));
+  const auto differing = differing_numbers(names);
+  if (!differing || differing->size() != 2) return {};
+  const std::size_t first = *differing->begin(), second = *differing->rbegin();
   std::vector<std::vector<FilesOfHits>> groupings;
   for (const auto& [point, hit] : {std::pair(first, second), std::pair(second, first)}) {
     std::vector<FilesOfHits> groups = grouped_by(names, point, hit);

@@ -91,5 +91,29 @@ std::vector<std::size_t> intended_order(const std::vector<std::string>& names) {
   return order;
 }
 
+NameParts texts_and_numbers(std::string_view name) {
+  NameParts parts{""};
+  for (const char c : name) {
+    const bool in_number = parts.size() % 2 == 0;
+    if (is_digit(c) != in_number) parts.emplace_back();
+    parts.back() += c;
+  }
+  return parts;
+}
+
+std::optional<std::set<std::size_t>> differing_numbers(const std::vector<NameParts>& names) {
+  std::set<std::size_t> differing;
+  for (const NameParts& name : names) {
+    const NameParts& first = names.front();
+    if (name.size() != first.size()) return std::nullopt;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      if (name[i] == first[i]) continue;
+      if (i % 2 == 0) return std::nullopt;
+      differing.insert(i);
+    }
+  }
+  return differing;
+}
+
 }  // namespace core
 }  // namespace percuss

@@ -1,6 +1,9 @@
 #pragma once
 #include <cstddef>
+#include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace percuss {
@@ -14,6 +17,13 @@ bool comes_first_naturally(const std::string& a, const std::string& b);
 /// keep their places: any other order is the user's choice, and decimal numbers ("p0.25", "p0.5") are in order already.
 /// returns  result[i]: the index in `names` of the name that comes i-th.
 std::vector<std::size_t> intended_order(const std::vector<std::string>& names);
+
+/// The texts of a name and the runs of digits between them, in turn. The first part is a text, perhaps an empty one.
+using NameParts = std::vector<std::string>;
+NameParts texts_and_numbers(std::string_view name);
+
+/// The indices of the numbers in which the names differ. Nothing if they differ in a text or in their number of parts.
+std::optional<std::set<std::size_t>> differing_numbers(const std::vector<NameParts>& names);
 
 }  // namespace core
 }  // namespace percuss

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/math/linear_algebra.hpp"
+#include "core/math/significance.hpp"
 #include "identify/model/frf_synthesis.hpp"
 #include "identify/model/point_columns.hpp"
 
@@ -18,7 +19,6 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 
-constexpr double kMinDeviate = 4.5;         // of chi2 about rank one: noise exceeds it once in 300 000 modes
 constexpr double kMinSecondSingular = 0.1;  // of the first: below, errors of the model may explain it
 constexpr double kOwnMode = 0.5;            // half-power bandwidths to another mode
 constexpr double kWindow = 2;               // half-power bandwidths on either side of the pole
@@ -55,12 +55,6 @@ std::optional<ResidueMatrix> matrix_of(const FrfDataset& set, const Mode& mode) 
     out.place.emplace_back(row, column);
   }
   return out;
-}
-
-// χ² as a normal deviate: the cube root of Wilson and Hilferty.
-double normal_deviate(double chi2, double freedom) {
-  const double variance = 2 / (9 * freedom);
-  return (std::cbrt(chi2 / freedom) - (1 - variance)) / std::sqrt(variance);
 }
 
 // The lines around the mode, without the other modes, and the linear fit of each FRF there:
@@ -330,12 +324,12 @@ bool has_close_neighbour(const std::vector<Mode>& modes, std::size_t m) {
 
 }  // namespace
 
-bool RankTest::two_modes() const { return deviate > kMinDeviate && second_singular > kMinSecondSingular; }
+bool RankTest::two_modes() const { return deviate > kOnceIn300000 && second_singular > kMinSecondSingular; }
 
 RankTest test_rank(const Mode& mode) {
   const RankOneResidual rest = rank_one_residual(mode);
   RankTest out{.chi2 = rest.chi2, .freedom = rest.freedom, .second_singular = rest.second_singular};
-  if (out.freedom > 0) out.deviate = normal_deviate(out.chi2, out.freedom);
+  if (out.freedom > 0) out.deviate = chi2_deviate(out.chi2, out.freedom);
   return out;
 }
 

@@ -9,24 +9,13 @@
 
 #include "core/error.hpp"
 #include "core/io/counted_words.hpp"
-#include "core/io/parse_number.hpp"
+#include "core/io/natural_order.hpp"
 #include "pipeline/warnings/warning.hpp"
 
 namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kMaxDigits = 9;  // of a number in a name
-
-// The parts of a name: runs of digits, and the texts between them. The first part is a text, perhaps an empty one.
-std::vector<std::string> parts_of_name(const std::string& name) {
-  std::vector<std::string> parts{""};
-  for (const char c : name) {
-    const bool in_number = parts.size() % 2 == 0;
-    if (is_digit(c) != in_number) parts.emplace_back();
-    parts.back() += c;
-  }
-  return parts;
-}
 
 // A way in which files can be points.
 struct PointsOfFiles {
@@ -57,10 +46,9 @@ std::vector<PointsOfFiles> points_of_files(const std::vector<std::string>& paths
 }
 
 // [names] the number in one part of each name; nothing if two are equal or one is too long.
-std::optional<std::vector<int>> different_numbers(const std::vector<std::vector<std::string>>& parts,
-                                                  std::size_t part) {
+std::optional<std::vector<int>> different_numbers(const std::vector<NameParts>& parts, std::size_t part) {
   std::vector<int> numbers;
-  for (const std::vector<std::string>& name : parts) {
+  for (const NameParts& name : parts) {
     if (name[part].size() > kMaxDigits) return std::nullopt;
     numbers.push_back(std::stoi(name[part]));
   }
@@ -112,23 +100,15 @@ std::vector<std::string> files_of_points(const acquire::Record& record, const st
 }
 
 std::optional<std::vector<int>> numbers_in_names(const std::vector<std::string>& names, const std::set<int>& geometry) {
-  if (names.empty()) return std::nullopt;
-  std::vector<std::vector<std::string>> parts;
-  for (const std::string& name : names) parts.push_back(parts_of_name(name));
-  const std::vector<std::string>& first = parts.front();
-  std::set<std::size_t> varying;
-  for (const auto& other : parts) {
-    if (other.size() != first.size()) return std::nullopt;
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      if (other[i] == first[i]) continue;
-      if (i % 2 == 0) return std::nullopt;
-      varying.insert(i);
-    }
-  }
+  std::vector<NameParts> parts;
+  parts.reserve(names.size());
+  for (const std::string& name : names) parts.push_back(texts_and_numbers(name));
+  const auto differing = differing_numbers(parts);
+  if (!differing) return std::nullopt;
   std::set<std::vector<int>> fitting;
-  for (const std::size_t i : varying) {
+  for (const std::size_t i : *differing) {
     const auto numbers = different_numbers(parts, i);
-    if (numbers && (varying.size() == 1 || holds_all(geometry, *numbers))) fitting.insert(*numbers);
+    if (numbers && (differing->size() == 1 || holds_all(geometry, *numbers))) fitting.insert(*numbers);
   }
   return fitting.size() == 1 ? std::optional(*fitting.begin()) : std::nullopt;
 }

@@ -53,10 +53,10 @@ enum class NamedFiles { points, hits, undecided };
 NamedFiles judge_named_files(const std::vector<std::string>& paths, const std::vector<acquire::FilesOfHits>& groups,
                              const std::set<int>& geometry);
 
-/// What the files of a survey are if their names hold two numbers, of which the words do not tell the hit
+/// The groupings of a survey's files whose names hold two numbers, without a word that marks the number of the hit
 /// (acquire::groupings_by_two_numbers).
 struct TwoNumbers {
-  std::vector<std::vector<acquire::FilesOfHits>> groupings;  // that the geometry allows, the likely one first
+  std::vector<std::vector<acquire::FilesOfHits>> groupings;  // that the geometry allows, the likeliest first
   bool certain = false;                                      // the first is right: the geometry allows nothing else
 };
 

@@ -57,4 +57,23 @@ TEST(IntendedOrder, KeepsEveryOtherOrder) {
     EXPECT_EQ(ordered(names), names);
 }
 
+TEST(TextsAndNumbers, StandInTurn) {
+  EXPECT_EQ(texts_and_numbers("P07_hit2"), (NameParts{"P", "07", "_hit", "2"}));
+  EXPECT_EQ(texts_and_numbers("12a"), (NameParts{"", "12", "a"}));
+  EXPECT_EQ(texts_and_numbers(""), NameParts{""});
+}
+
+TEST(DifferingNumbers, AreTheNumbersInWhichNamesDiffer) {
+  const auto differing = [](const std::vector<std::string>& names) {
+    std::vector<NameParts> parts;
+    for (const std::string& name : names) parts.push_back(texts_and_numbers(name));
+    return differing_numbers(parts);
+  };
+  EXPECT_EQ(differing({"a1b2c3", "a1b4c3"}), std::set<std::size_t>{3});
+  EXPECT_EQ(differing({"a1b2", "a1b4", "a7b2"}), (std::set<std::size_t>{1, 3}));
+  EXPECT_EQ(differing({"a1", "a1"}), std::set<std::size_t>{});
+  EXPECT_FALSE(differing({"a1", "b1"})) << "another text";
+  EXPECT_FALSE(differing({"a1", "a1b"})) << "more parts";
+}
+
 }  // namespace percuss::natural_order_test
