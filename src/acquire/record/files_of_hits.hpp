@@ -18,10 +18,11 @@ struct FilesOfHits {
 std::vector<FilesOfHits> files_of_hits(const std::vector<std::string>& paths);
 
 /// Groups files whose paths are equal but for two numbers, whatever the words are: Punkt01_Schlag1, P1-S1, P1/blow 1.
-/// One number is that of the point, the other that of the hit. Returns a grouping for each way to read them that is
-/// possible: first the one where the number of the point stands first. Its stem ends with that number: "Punkt01". In a
-/// grouping, at least half of the points, and two, have all of the hits' numbers, two or more; no number has more than
-/// six digits. Empty for other names. Names alone do not tell points from other numbers, such as rows and columns.
+/// One number counts the points, the other the hits of each point. Returns a grouping for each possible reading, the
+/// one in which the point's number stands first before the other. A group's stem ends with the point's number:
+/// "Punkt01". Numbers have at most six digits. A reading is possible if there are two or more hit numbers, and if at
+/// least two points, and at least half of the points, have all of them. Empty for other names. The numbers may count
+/// something else, such as rows and columns: the names do not show it.
 std::vector<std::vector<FilesOfHits>> groupings_by_two_numbers(const std::vector<std::string>& paths);
 
 /// Groups files whose names call them hits: each name ends in "hit", "impact", "blow", "strike" or "tap" and a number

@@ -52,7 +52,7 @@ enum class NoNode {
 };
 std::string_view name_of(NoNode reason);
 
-/// Removes nodes whose standard deviation is that of a place anywhere in the scan: its length over √12.
+/// Removes nodes whose standard deviation is as large as for a place anywhere in the scan: its length over √12.
 void drop_wide_nodes(std::vector<Node>& nodes, const ScanShape& shape);
 
 /// The reason by the shape, if find_nodes() finds no node, or drop_wide_nodes() leaves none.

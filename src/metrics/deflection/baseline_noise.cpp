@@ -111,7 +111,7 @@ bool has_hum(std::span<const double> residual) {
 
 // The frequency of the strongest line of the deflection that is not noise: the slowest motion to expect. A padded
 // transform, of a length that the integration has planned already, shows which lines to compute. The main lobe of the
-// window is four lines wide, so the power at a line is at most kLobe times that of its neighbour on this finer grid.
+// window is four lines wide, so the power at a line is at most kLobe times its neighbour's power on this finer grid.
 std::optional<double> strongest_motion_Hz(std::span<const double> accel, double fs_Hz, double white, double flicker) {
   const std::vector<double> windowed = hann_windowed(accel);
   const auto n = static_cast<double>(accel.size());

@@ -113,8 +113,8 @@ Eigen::Vector2d line_above_level(const ImpactSignal& signal, const BaselineEstim
   return {rest.bias(0) - signal.level->mps2, rest.bias(1)};
 }
 
-// moved_before: the line through the samples before the impact is that of a motion, not of the sensor. The standard
-// deviation then includes the difference of this line from the sensor's level.
+// moved_before: the line through the samples before the impact shows a motion, not the bias of the sensor. The
+// standard deviation then includes the difference of this line from the sensor's level.
 DriftFree drift_free(const ImpactSignal& signal, const DeflectionOptions& options, bool moved_before = false) {
   Integrated integrated = integrate_after_rest(signal, options);
   BaselineEstimate& rest = integrated.rest;

@@ -75,8 +75,8 @@ struct Deflection {
 ///                   (integrate_twice), and centres a held structure on its position of rest. Its standard deviation
 ///                   includes the bias and the double integral of white noise, σ_w² = σ_a² Δt t³/3. Where the noise
 ///                   rises at low frequencies, the error that it makes is estimated and subtracted (BaselineNoise).
-///                   Where the line before the impact is that of a motion (Deflection::moved_before), the standard
-///                   deviation includes the line's difference from the sensor's level.
+///                   If the line before the impact shows a motion (Deflection::moved_before), the standard deviation
+///                   includes the line's difference from the sensor's level.
 ///   small_interval  first-order sums from the impact on (small_interval_sums), without any correction
 ///   frequency       division in the frequency domain, line by line
 ///   modal           the response of the modes to the force
