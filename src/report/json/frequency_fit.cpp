@@ -11,6 +11,8 @@
 namespace percuss::report {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 // Whether the standard deviations of the parameters follow from those of the frequencies.
 bool states_std(const FrequencyFit& fit) {
   return !fit.frequencies.empty() && fit.frequencies.front().measured_std_Hz > 0;
@@ -23,7 +25,6 @@ double difference_percent(const FrequencyFit::Frequency& one) { return 100 * (on
 }  // namespace
 
 nlohmann::ordered_json frequencies_json(const FrequencyFit& fit) {
-  using Json = nlohmann::ordered_json;
   Json out = Json::array();
   for (const FrequencyFit::Frequency& one : fit.frequencies) {
     out.push_back({{"mode", one.mode},
