@@ -71,7 +71,9 @@ TextTable modes_table(const std::vector<metrics::ComparedDocument>& documents) {
   for (const metrics::ComparedDocument& document : documents)
     heads.push_back({one_line(document.name, 40), TextTable::Align::right});
   heads.push_back({""});
-  return TextTable(std::move(heads));
+  TextTable table(std::move(heads));
+  table.split_after(names_families(documents.front()) ? 3 : 2);
+  return table;
 }
 
 // The dampings of the paired modes, where two documents state them.

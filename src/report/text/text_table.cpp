@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@ namespace {
 // The last column is wrapped at the terminal's width if this leaves it kTightWrap characters or more. Otherwise it is
 // kMinWrap wide, because lines that are too long are easier to read than a narrower column.
 constexpr std::size_t kMinWrap = 24, kTightWrap = 14;
+constexpr std::size_t kColumnGap = 2;
 constexpr std::size_t kMaxNormalColumns = 9;  // of a table on a page: a wider one has smaller letters
 
 std::string padded(const std::string& cell, std::size_t width, TextTable::Align align) {
@@ -25,6 +27,13 @@ std::string padded(const std::string& cell, std::size_t width, TextTable::Align 
 
 void trim_right(std::string& line) {
   while (!line.empty() && line.back() == ' ') line.pop_back();
+}
+
+// Where the next column begins after these.
+std::size_t end_of(const std::vector<std::size_t>& columns, const std::vector<std::size_t>& widths) {
+  std::size_t end = 0;
+  for (const std::size_t c : columns) end += widths[c] + kColumnGap;
+  return end;
 }
 
 }  // namespace
@@ -88,28 +97,46 @@ std::string wrapped(const std::string& text, std::size_t width, std::size_t inde
 }
 
 std::string TextTable::text(std::size_t width) const {
-  std::vector<std::size_t> widths;
+  std::vector<std::size_t> widths;  // of the columns
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     std::size_t most = text_width(columns_[c].head);
     for (const auto& row : rows_) most = std::max(most, text_width(row[c]));
     widths.push_back(most);
   }
-  std::size_t before_last = 0;
-  for (std::size_t c = 0; c + 1 < widths.size(); ++c) before_last += widths[c] + 2;
+  std::vector<std::size_t> keys(key_columns_);
+  std::iota(keys.begin(), keys.end(), std::size_t{0});
+  std::string out;
+  std::vector<std::size_t> columns = keys;  // of the next part
+  for (std::size_t c = key_columns_; c < columns_.size(); ++c) {
+    const bool last = c + 1 == columns_.size();  // wrapped, so that it needs no part of its own
+    if (key_columns_ > 0 && columns.size() > key_columns_ && !last && end_of(columns, widths) + widths[c] > width) {
+      out += part(columns, widths, width) + '\n';
+      columns = keys;
+    }
+    columns.push_back(c);
+  }
+  return out + part(columns, widths, width);
+}
+
+std::string TextTable::part(const std::vector<std::size_t>& columns, const std::vector<std::size_t>& widths,
+                            std::size_t width) const {
+  const bool wraps = columns.back() + 1 == columns_.size();
+  const std::size_t before_last = end_of({columns.begin(), columns.end() - 1}, widths);
   const std::size_t limit = before_last + kTightWrap <= width ? width : before_last + kMinWrap;
-  const auto line = [&](const std::vector<std::string>& cells) {
+  const auto line = [&](const auto& cell_of) {
     std::string text;
-    for (std::size_t c = 0; c + 1 < cells.size(); ++c) text += padded(cells[c], widths[c], columns_[c].align) + "  ";
-    text += wrapped(cells.back(), limit, before_last);
+    for (const std::size_t c : columns) {
+      if (c == columns.back() && wraps) {
+        text += wrapped(cell_of(c), limit, before_last);
+      } else {
+        text += padded(cell_of(c), widths[c], columns_[c].align) + std::string(kColumnGap, ' ');
+      }
+    }
     trim_right(text);
     return text + '\n';
   };
-  std::vector<std::string> heads;
-  for (const Column& column : columns_) heads.push_back(column.head);
-  for (std::size_t c = 0; c < heads.size(); ++c)
-    heads[c] = c + 1 < heads.size() ? padded(heads[c], widths[c], columns_[c].align) : heads[c];
-  std::string out = line(heads);
-  for (const auto& row : rows_) out += line(row);
+  std::string out = line([&](std::size_t c) { return columns_[c].head; });
+  for (const auto& row : rows_) out += line([&](std::size_t c) { return row[c]; });
   return out;
 }
 

@@ -19,14 +19,20 @@ class TextTable {
     rows_.push_back(std::move(cells));
     in_result_.push_back(in_result);
   }
+  /// Allows parts below each other where the table is wider than the terminal: each begins with the first `columns`
+  /// columns and goes on with as many others as fit.
+  void split_after(std::size_t columns) { key_columns_ = columns; }
   std::string text(std::size_t width) const;
   /// The table as an HTML element, its cells escaped.
   std::string html() const;
 
  private:
+  std::string part(const std::vector<std::size_t>& columns, const std::vector<std::size_t>& widths,
+                   std::size_t width) const;
   std::vector<Column> columns_;
   std::vector<std::vector<std::string>> rows_;
   std::vector<bool> in_result_;  // per row
+  std::size_t key_columns_ = 0;  // 0: never in parts
 };
 
 /// Number of characters of a UTF-8 text.

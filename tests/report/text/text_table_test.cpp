@@ -83,4 +83,15 @@ TEST(TextTable, ObeysTheWidthWhereWordsAllow) {
   }
 }
 
+TEST(TextTable, GoesOnBelowWhereItIsWiderThanTheTerminal) {
+  TextTable table({{"mode", TextTable::Align::right}, {"first"}, {"second"}, {"third"}, {""}});
+  table.add({"1", "100 Hz", "101 Hz", "102 Hz", ""});
+  const std::string whole = table.text(12);
+  table.split_after(1);
+  EXPECT_EQ(table.text(80), whole);
+  EXPECT_EQ(table.text(20), "mode  first   second\n   1  100 Hz  101 Hz\n\nmode  third\n   1  102 Hz\n");
+  // A part has one column besides the repeated ones, however narrow the terminal.
+  EXPECT_EQ(table.text(12), "mode  first\n   1  100 Hz\n\nmode  second\n   1  101 Hz\n\nmode  third\n   1  102 Hz\n");
+}
+
 }  // namespace percuss::report::text_table_test
