@@ -103,7 +103,7 @@ TEST(RepeatedPair, HasTheModesOfTheSensorsAtOneFrequency) {
     EXPECT_GT(pair->first.freq_std_Hz, mode.freq_std_Hz);
     for (const Mode* one : {&pair->first, &pair->second}) {
       EXPECT_FALSE(test_rank(*one).two_modes());
-      // Any plane of a round tube has this modal mass, at a point in this plane.
+      // In a round tube, each plane of bending has this modal mass, for a shape that is 1 at a point in the plane.
       const ModeShape shape = shape_of(*one, {.driving = driving()});
       ASSERT_TRUE(shape.modal_mass_kg);
       EXPECT_NEAR(*shape.modal_mass_kg, 1 / (1.3 * 1.3), 1e-3);

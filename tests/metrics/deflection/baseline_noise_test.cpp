@@ -139,7 +139,7 @@ TEST(FlickerStrength, IsFoundFromSeveralRecords) {
       ASSERT_EQ(gains.size(), kFlickerStrengths);
       std::transform(sum.begin(), sum.end(), gains.begin(), sum.begin(), std::plus<>());
     }
-    // Some ten degrees of freedom per record in a rest of 0.1 s, known within a factor of 2.
+    // The rest of 0.1 s in each record gives some ten degrees of freedom. The limits are a factor of 2.
     EXPECT_GT(flicker_strength(sum), kStrength / 2);
     EXPECT_LT(flicker_strength(sum), kStrength * 2);
   }

@@ -371,8 +371,9 @@ TEST(BaselineEstimate, IsZeroForFewSamples) {
   EXPECT_NEAR(std::sqrt(rest.covariance(0, 0)), 2, 1e-12);
 }
 
-// A sway of 1.2 Hz passes its middle before the impact, and moves along a line there. Continued for two seconds, the
-// line makes metres. The level of the sensor shows that it is no bias.
+// The acceleration of a sway of 1.2 Hz passes zero before the impact and follows a straight line there. If this line is
+// taken for bias and drift, the error of the deflection grows to about 2 m in two seconds. The stated level of the
+// sensor shows that the line is motion.
 TEST(Deflection, DoesNotContinueTheLineOfASlowSway) {
   Impact swaying = impact(20000, 0.1, 2.1);
   std::mt19937_64 random(1);

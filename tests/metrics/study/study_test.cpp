@@ -127,7 +127,7 @@ TEST(Study, LeavesOtherProgramsOutOfStatements) {
   EXPECT_EQ(study.figures.back().classes.back().bats.size(), 20U);  // drawn
   ASSERT_EQ(study.programs.size(), 2U);
   EXPECT_FALSE(study.programs[0].counted);
-  // As if the others were not there: also the trend and the outliers.
+  // The trend is that of the counted bats alone.
   const Study without = study_of({bats.begin(), bats.begin() + 12});
   EXPECT_EQ(study.figures[0].classes[0].trend->slope, without.figures[0].classes[0].trend->slope);
   EXPECT_EQ(points(study_of(bats, {.programs = {"all"}})), 20U);

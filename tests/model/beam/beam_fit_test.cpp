@@ -92,7 +92,8 @@ TEST(BeamFit, StatesTheStandardDeviationsOfItsScatter) {
   EXPECT_NEAR(std::sqrt(from_residuals) / (known / kTruth.torsion_Nmprad), 1, kSpread);
 }
 
-// Frequencies that differ from the model by 6 of their standard deviations do not fix the stiffness to one of them.
+// The frequencies differ from the model by six of their standard deviations. The standard deviation of the stiffness
+// includes this misfit: it grows by √χ² (one degree of freedom).
 TEST(BeamFit, EnlargesStandardDeviationsThatTheMisfitExceeds) {
   UniformBeam beam = kTruth;
   beam.support = BeamSupport::free;

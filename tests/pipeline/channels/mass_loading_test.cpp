@@ -37,7 +37,7 @@ TEST(MassLoading, IsNotSeenInScatterOrWhereFrequenciesRise) {
   EXPECT_TRUE(mass_loading({mode_with(200, 1, 0.005, 2e-4, 1), mode_with(500, 2, -0.005, 2e-4, 2)}).empty());
 }
 
-// Copies of a mode that a sensor's mass moved across a close one.
+// If a sensor's mass moves two close modes across each other, one of them can seem to rise.
 TEST(MassLoading, IsSeenAlthoughOneOfManyFrequenciesRises) {
   std::vector<identify::Mode> modes{mode_with(100, 1, -0.005, 2e-4, 1)};
   for (std::uint64_t seed = 2; seed < 6; ++seed)

@@ -56,7 +56,7 @@ Analysis analysis_of(acquire::Record record, AnalysisOptions options = {}) {
   return {std::move(record), std::move(options)};
 }
 
-// The modes of the preset: 200 Hz, 1900 Hz.
+// Expects the modes of the record without gaps, at 200 Hz and 1900 Hz.
 void expect_modes_as(const Analysis& analysis, const Analysis& whole) {
   ASSERT_EQ(analysis.modes().size(), whole.modes().size());
   for (std::size_t m = 0; m < whole.modes().size(); ++m) {

@@ -12,7 +12,8 @@ using testing::IsEmpty;
 
 constexpr std::size_t kLines = 100, kSamples = 4096;
 
-/// A hit of which the others explain nothing, with one response of this energy over the energy of its noise.
+/// add_hit() adds a hit with one response, whose energy is `energy_ratio` times the energy of its noise. With low
+/// coherence, the other hits explain nothing of it.
 class HitNoise : public testing::Test {
  protected:
   void add_hit(double energy_ratio, bool low_coherence = true) {
@@ -76,7 +77,8 @@ TEST_F(HitNoise, ConcernsAcceptedHitsThatDisagree) {
 }
 
 TEST_F(HitNoise, HitsOnNodeLinesExciteLittle) {
-  // Six hits at other points excite an energy of 100. A twentieth of that is a fault; a hundredth is a node line.
+  // Six hits excite an energy of 100. A hit that excites a twentieth of it is faulty; one that excites a hundredth lies
+  // on a node line.
   for (int h = 0; h < 6; ++h) add_hit(100, false);
   for (const double energy : {5.0, 1.0, 100.0}) add_hit(energy);
   add_hit(16);

@@ -54,7 +54,8 @@ acquire::Record rows(double noise) {
 
 TEST(ResponseTest, IsExactWithoutNoise) {
   constexpr double kExact = 1e-10;  // relative: rounding; measured 7e-15
-  // The amplitude of a hit holds for a whole sample near its onset. No mode decays by more than 1 % within a sample.
+  // The amplitude of a hit is its value at the first sample of the decay. The time of this sample after the onset
+  // differs by up to one sample between hits. No mode decays by more than 1 % within a sample.
   constexpr double kOneSample = 0.01;
   const ResponseTest test = analyse_responses(rows(0), {});
   ASSERT_EQ(test.hits.size(), 3U);

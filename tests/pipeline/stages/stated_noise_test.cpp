@@ -22,7 +22,7 @@ Complex accelerance(double freq_Hz) {
   return s * s / (s * s + 2 * kPole.damping_ratio * omega * s + omega * omega);
 }
 
-// Channels with noise of `relative` parts of |H| and a floor `floor_of[c]`, which are stated.
+// Channels with noise whose standard deviation, `relative` |H| + floor_of[c], is stated.
 acquire::FrfRecord record_of(std::uint64_t seed, double relative, const std::vector<double>& floor_of) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;

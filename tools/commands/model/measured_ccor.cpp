@@ -41,8 +41,8 @@ bool names_a_file(const std::string& word) {
   return !triple_of(word) && std::filesystem::exists(word, ignored);
 }
 
-// Triples as on the command line, separated by commas, blanks and line ends. Lines with # are comments, and a first
-// line of names is skipped.
+// Triples as on the command line, separated by commas, blanks and line ends. Skips lines that begin with #, and a first
+// line without digits (column names).
 std::vector<model::MeasuredCor> triples_in(std::string_view text, const std::string& where) {
   std::vector<model::MeasuredCor> out;
   bool first = true;
