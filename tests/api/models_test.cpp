@@ -10,7 +10,7 @@
 #include "support/percuss_process.hpp"
 #include "support/scratch_folder.hpp"
 
-// Models and performance against the command line's documents.
+// The public models and the performance of a bat give the numbers of the documents that the command line prints.
 namespace percuss::api_models_test {
 
 nlohmann::json document_of(std::vector<std::string> arguments) {

@@ -46,8 +46,7 @@ void add_impact(double at_m, std::mt19937& random, std::vector<double>& force_N,
         accel += y * (y * force - omega * omega * state.eta[m]);
       }
       for (int k = 0; k < kSubsteps; ++k) model.step(state, 1 / kFs_Hz / kSubsteps);
-      // As in the model's largest deflection, there is no second contact: the ball is removed after the first
-      // separation.
+      // The model's largest deflection excludes further contacts, so the ball is removed after the first separation.
       separated = separated || (force > 0 && model.read(state).force_N == 0);
       if (separated) state.ball_m = -1;
     }

@@ -62,7 +62,7 @@ TEST(ModesAtFrequencies, FindsNothingUnmodelledWhereAllModesAreKnown) {
   EXPECT_TRUE(unmodelled_resonances(set, modes, unmodelled_poles(set, modes)).empty());
 }
 
-// A strong mode and its weak neighbour, both wide. The known mode is slightly wrong, as one mode fitted to both is.
+// A strong mode and its weak neighbour, both wide. The known mode is slightly wrong, like a single mode fitted to both.
 TEST(ModesAtFrequencies, TakesABandAsWideAsTheResonanceNeeds) {
   constexpr Pole kStrong{.freq_Hz = 730, .damping_ratio = 0.0135}, kWeak{.freq_Hz = 683, .damping_ratio = 0.0095};
   FrfDataset set = test::empty_set(3000, 6000, 200, 2300, 1);  // lines 0.5 Hz apart

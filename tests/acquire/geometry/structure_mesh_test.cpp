@@ -74,7 +74,7 @@ TEST(StructureMesh, ConnectsRowsAndColumnsOfAGrid) {
   for (const auto& normal : mesh.normals) EXPECT_NEAR(normal[2], 1, kRounding);
 }
 
-// The normal of an upright plate points to the positive side of its largest component, whichever way the corners run.
+// The largest component of the normal of an upright plate is positive, whichever way the corners run.
 TEST(StructureMesh, FindsTheNormalOfAnUprightPlate) {
   Points points;
   for (int i = 0; i < 4; ++i) {

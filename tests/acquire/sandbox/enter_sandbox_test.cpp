@@ -239,7 +239,7 @@ TEST_F(EnterSandbox, LeavesNamesAndSizesOfFilesVisible) {
 }
 
 #if defined(__x86_64__)
-// Otherwise, calls by the numbers of the x32 interface would pass the filter.
+// The filter allows calls of the native interface only. It ends a process that calls by the numbers of x32.
 TEST_F(EnterSandbox, EndsAProcessThatUsesAnotherInterface) {
   if (!test::has_seccomp()) return;
   EXPECT_THAT(successes({{"x32", [] { return call(SYS_openat | 0x40000000L, AT_FDCWD, "/etc/passwd", O_RDONLY); }}}),

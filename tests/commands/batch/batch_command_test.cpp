@@ -302,7 +302,7 @@ TEST_F(BatchCommand, LeavesOutTextsOfAFolderThatHoldNoNumbers) {
   EXPECT_THAT(bytes_of(folder_.file("n.jsonl")), HasSubstr("README")) << "a file that is named is planned";
 }
 
-// They could be parts that were hit once each: the plan proposes to join them, and leaves them apart.
+// Files called hit1, hit2 … could also be parts that were hit once each. So the plan only proposes to join them.
 TEST_F(BatchCommand, ProposesToJoinFilesThatAreCalledHits) {
   for (const std::string part : {"A", "B", "C"}) {
     fs::create_directories(folder_.file("parts/" + part));

@@ -141,7 +141,7 @@ TEST_F(SuggestedCommand, AsksForTheRateWhereTheFirstColumnCountsSamples) {
   EXPECT_THAT(suggestion({"analyze", "x.csv"}), EndsWith(" --fs HZ\n"));
 }
 
-// The message is about the roles, not about the text "lost" in a column that the guess of the roles reads.
+// The guess of the roles reads a column that holds the text "lost". The message is still about the roles.
 TEST_F(SuggestedCommand, IsGivenThoughAColumnHoldsAText) {
   std::string text;
   for (std::size_t i = 0; i < record_.time_s.size(); ++i) {
@@ -180,7 +180,7 @@ TEST_F(SuggestedCommand, QuotesWhatAShellMayTakeForAPattern) {
               HasSubstr("; the samples suggest: percuss analyze 'm^2.csv' --force"));
 }
 
-// info describes what analyze accepts, and lists the columns where one of them may be the force.
+// info describes a file that analyze accepts. If one of its columns may be the force, info lists the columns instead.
 TEST_F(SuggestedCommand, IsReplacedByTheColumnsInInfoWhereAForceMayBeMissed) {
   const std::vector<double> zeros(record_.time_s.size(), 0.0);
   std::vector<double> count(record_.time_s.size());

@@ -134,7 +134,8 @@ TEST(ThreeWaves, ContinueOrdersAndTheHoopModeBelowTheBand) {
   EXPECT_EQ(names_of(found), "b5 u* b6* ");
 }
 
-// The sixth order is missing, and a mode of three waves lies between: the last mode is the sixth or the seventh order.
+// The sixth bending order is missing, but a mode of three waves lies near its frequency. So the last mode may be the
+// sixth or the seventh order.
 TEST(ThreeWaves, LeaveTheNumberOfALaterOrderOpen) {
   Tube tube = tube_with(0, 5);
   tube.add(4500, ModeType::bending, 6);

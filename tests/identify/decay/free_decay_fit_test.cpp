@@ -53,7 +53,7 @@ DecayResults found_in(double noise, unsigned seed) {
   return modes_of_decays(fit_free_decays(decays(noise, seed), {.band_Hz = kBand_Hz}), kChannels, kBand_Hz);
 }
 
-// A search without end would take minutes if the record holds anything but decays.
+// Without this limit, the search would take minutes if the record also holds other motions than decays.
 TEST(FreeDecays, AreIncompleteBeyondTheLimit) {
   EXPECT_TRUE(fit_free_decays(decays(0.01, 1), {.band_Hz = kBand_Hz, .max_decays = 5}).complete);
   EXPECT_FALSE(fit_free_decays(decays(0.01, 1), {.band_Hz = kBand_Hz, .max_decays = 2}).complete);

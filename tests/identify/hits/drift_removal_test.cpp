@@ -32,7 +32,7 @@ TEST(CommonDrift, IsNoneOfTwoModesOrOfModesThatDriftApart) {
   EXPECT_FALSE(common_drift({drifting(1e-6, 1e-8), drifting(2e-6, 1e-8), drifting(-1e-6, 1e-8)}));
 }
 
-// Ten points of two hits; all frequencies rise from hit to hit, by a quarter of a bandwidth in all.
+// Ten points of two hits. All frequencies rise from hit to hit, in total by about 4 % of the half-power bandwidth.
 TEST(WithoutDrift, LeavesTheModesOfTheMiddleOfTheTest) {
   const auto residue = [](std::size_t mode, std::size_t point) {
     return std::cos(1.3 * static_cast<double>(mode + 1) + 0.7 * static_cast<double>(point));
@@ -47,7 +47,7 @@ TEST(WithoutDrift, LeavesTheModesOfTheMiddleOfTheTest) {
   std::vector<Mode> modes = hits.modes(before);
   SteadyTest steady;
   JointFit after;
-  // Each pass leaves about a tenth of the error of the residues before: less than the noise after the fifth.
+  // Each pass reduces the error of the residues to about a tenth. After the fifth pass, it is less than the noise.
   for (int pass = 0; pass < 5; ++pass) {
     steady = without_drift(hits.set, hits.frfs, modes, kPerHit);
     after = fit_jointly(steady.set, kPoles);
@@ -63,7 +63,7 @@ TEST(WithoutDrift, LeavesTheModesOfTheMiddleOfTheTest) {
       EXPECT_NEAR(std::real(after.residues(row, at)), residue(m, p), 5 * after.residue_std(row, at)) << m << ' ' << p;
     }
   }
-  // The single hits have lost the drift as well: their mean is the average.
+  // The drift is also removed from the single hits: at each point, the mean of their FRFs is the FRF of the point.
   for (std::size_t p = 0; p < 10; ++p) {
     const Complex* const force = steady.hits.set.points[2 * p].spectra.front().get();
     for (std::size_t k = 0; k < steady.set.lines.count; ++k) {

@@ -14,8 +14,8 @@ using test::SingleHits;
 constexpr double kNoise = 1e-4;  // the peaks are 100 times a residue of 1
 constexpr Pole kWeak{.freq_Hz = 300, .damping_ratio = 0.005}, kStrong{.freq_Hz = 340, .damping_ratio = 0.005};
 
-// A blow in another direction changes the strong mode by 30 % and leaves the weak one. With the mean residue of the
-// strong mode, its flank would move the weak one.
+// Blows in other directions change the strong mode by up to 30 %, but not the weak one. A fit of each hit with the mean
+// residue of the strong mode would be wrong at its flank, and this would move the weak mode.
 TEST(HitPoles, DoNotDependOnTheResiduesOfOtherModesInTheOtherHits) {
   const SingleHits hits(1, 5, kNoise, [](FrfDataset& one, std::size_t, std::size_t hit) {
     test::add_mode(one, 0, kWeak, 1);
@@ -45,8 +45,8 @@ TEST(HitScatter, ComparesTheHitsOfASurveyWithinTheirPoints) {
   EXPECT_EQ(modes[0].freq_std_parts_Hz.hits, 0);
 }
 
-// The same survey with one hit per point: nothing tells the misfit from hits that differ, and the misfit's part of the
-// ± contains both.
+// The same modes with one hit per point. The misfit cannot be told from differences between hits, so the misfit's part
+// of the ± contains both.
 TEST(HitScatter, DoesNotTakeMisfitForHitsThatDifferWhereEachPointHasOneHit) {
   const SingleHits hits(12, 1, kNoise, [](FrfDataset& one, std::size_t point, std::size_t) {
     test::add_mode(one, 0, kWeak, 1);

@@ -226,7 +226,7 @@ TEST(UffDirections, TellThatSensorsRovedOverTime) {
   EXPECT_FALSE(opened_uff(hit({1, 3}, {{4, 1}, {5, 1}}) + hit({1, 3}, {{4, 1}, {5, 1}})).sensor_roves);
 }
 
-// percuss writes the direction of a sensor by its angle. The sign of the samples is not in question there.
+// In a file that percuss wrote, a direction only states the angle of a sensor. It does not change the sign of samples.
 TEST(UffDirections, OfPercussChangeNoSign) {
   Record record = record_in_memory(1000, {{1, 2}}, {{{3, -4}}});
   record.accel[0].angle_rad = 180 * kDegree_rad;  // direction −2
