@@ -45,9 +45,11 @@ std::vector<Complex> complex_numbers(const std::string& path, std::size_t count)
   H5Tinsert(type, "r", 0, H5T_NATIVE_DOUBLE);
   H5Tinsert(type, "i", sizeof(double), H5T_NATIVE_DOUBLE);
   std::vector<Complex> out(count);
-  EXPECT_EQ(H5Sget_simple_extent_npoints(H5Dget_space(set)), static_cast<hssize_t>(count));
+  const hid_t space = H5Dget_space(set);
+  EXPECT_EQ(H5Sget_simple_extent_npoints(space), static_cast<hssize_t>(count));
   EXPECT_GE(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.data()), 0);
   H5Tclose(type);
+  H5Sclose(space);
   H5Dclose(set);
   H5Fclose(file);
   return out;

@@ -378,12 +378,10 @@ TEST(Deflection, DoesNotContinueTheLineOfASlowSway) {
   Impact swaying = impact(20000, 0.1, 2.1);
   std::mt19937_64 random(1);
   std::normal_distribution<double> noise(0, 1e-3);
-  double sway_m = 0;
+  constexpr double kSway_mps2 = 0.19, kSway_radps = kTwoPi * 1.2;
   for (std::size_t i = 0; i < swaying.accel_mps2.size(); ++i) {
-    constexpr double kSway_mps2 = 0.19, kSway_radps = kTwoPi * 1.2;
     const double t = static_cast<double>(i) / swaying.fs_Hz - 0.05;
     swaying.accel_mps2[i] += kSway_mps2 * std::sin(kSway_radps * t) + noise(random);
-    sway_m = kSway_mps2 / (kSway_radps * kSway_radps);
   }
   ImpactSignal signal{.fs_Hz = swaying.fs_Hz, .accel_mps2 = swaying.accel_mps2, .onset_s = swaying.onset_s};
   const DeflectionOptions options{.method = DeflectionMethod::drift_free, .free_body = true};

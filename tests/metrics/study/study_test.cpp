@@ -130,6 +130,7 @@ TEST(Study, LeavesOtherProgramsOutOfStatements) {
   // The trend is that of the counted bats alone.
   const Study without = study_of({bats.begin(), bats.begin() + 12});
   EXPECT_EQ(study.figures[0].classes[0].trend->slope, without.figures[0].classes[0].trend->slope);
+  EXPECT_EQ(study.figures[0].classes[0].outliers, without.figures[0].classes[0].outliers);
   EXPECT_EQ(points(study_of(bats, {.programs = {"all"}})), 20U);
   EXPECT_EQ(points(study_of(bats, {.programs = {"bbcor"}})), 8U);
   EXPECT_EQ(points(study_of(bats, {.programs = {"bbcor", "besr"}})), 20U);

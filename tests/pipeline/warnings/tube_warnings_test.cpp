@@ -109,9 +109,9 @@ TEST(TubeWarnings, TakeTheGrainOfAWoodenBatForNoUnit) {
     wood.push_back({1.007 * freq_Hz, -10.4, ModeType::bending, order});
   }
   EXPECT_THAT(warnings_of(wood), Not(Contains(Field(&Warning::code, "units_differ"))));
-  std::vector<Found> first_plane;
-  for (std::size_t i = 1; i < wood.size(); i += 2) first_plane.push_back(wood[i]);
-  EXPECT_THAT(warnings_of(first_plane), Not(Contains(Field(&Warning::code, "units_differ"))));
+  std::vector<Found> second_plane;
+  for (std::size_t i = 1; i < wood.size(); i += 2) second_plane.push_back(wood[i]);
+  EXPECT_THAT(warnings_of(second_plane), Not(Contains(Field(&Warning::code, "units_differ"))));
 }
 
 TEST(TubeWarnings, NameAReversedSensorOfABatThatBendsInTwoPlanes) {
