@@ -29,11 +29,11 @@ struct CommonPlaces {
 };
 
 /// Matches the points of the shapes of two documents.
-/// By coordinates, points pair that are nearest to each other, and no further apart than 1 % of the largest extent of
-/// the document with fewer points, nor than a quarter of its smallest distance between two places. Points whose stated
-/// directions are not parallel do not pair. Numbers decide if coordinates give fewer than kMinPlaces pairs, or fewer
-/// pairs than the numbers do: the two documents may have different origins. They also decide for more than ten million
-/// pairs of points, whose coordinates are not compared.
+/// By coordinates, the nearest points pair first. Two points that pair are no further apart than 1 % of the largest
+/// extent of the document with fewer points, and than a quarter of the smallest distance between two of its places.
+/// Points whose stated directions are not parallel do not pair. Numbers decide if coordinates give fewer than
+/// kMinPlaces pairs, or fewer pairs than the numbers do: the two documents may have different origins. They also decide
+/// for more than ten million pairs of points, whose coordinates are not compared.
 CommonPlaces common_places(const ComparedDocument& a, const ComparedDocument& b);
 
 /// The second document with the point numbers and directions of the first, without the values at other places.

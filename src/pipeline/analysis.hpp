@@ -104,8 +104,8 @@ class Analysis {
   /// Computes modes() and frfs() in the order that takes less time.
   void compute_modes_and_frfs() const;
   const std::vector<identify::ModeClassification>& classifications() const;
-  /// Whether modes() are all modes that were found, so that their orders can be counted: not the ones that the user
-  /// chose.
+  /// Whether modes() are all modes that were found, so that their orders can be counted. False if the user chose the
+  /// modes.
   bool modes_are_complete() const;
   /// Modes that the hammer excited below the band, ascending: modes in the margin of lines(), and lower modes fitted to
   /// a few hits. Empty without modes in the band, or without a stated band.

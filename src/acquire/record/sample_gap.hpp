@@ -6,7 +6,7 @@
 
 namespace percuss::acquire {
 
-/// Missing samples of a row, whose number the time stamps show: `count` samples from sample `first` of the row on.
+/// Samples that are missing in a row, as the time stamps show: `count` samples from sample `first` of the row on.
 /// Readers give a straight line in their place.
 struct SampleGap {
   std::size_t row = 0, first = 0, count = 0;

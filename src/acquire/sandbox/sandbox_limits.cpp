@@ -14,9 +14,9 @@
 namespace percuss::acquire {
 namespace {
 
-constexpr std::uint64_t kLibraries_bytes = std::uint64_t{192} << 20U;  // buffers, besides the numbers
+constexpr std::uint64_t kLibraries_bytes = std::uint64_t{192} << 20U;  // the libraries' buffers, without the numbers
 constexpr std::uint64_t kMinTime_s = 2, kBytesPerSecond = 5'000'000, kMaxTime_s = 1'000'000;
-constexpr rlim_t kTotalTime_s = 3600;  // of all answers
+constexpr rlim_t kTotalTime_s = 3600;  // of all answers together
 
 void limit(__rlimit_resource resource, std::uint64_t value) {
   rlimit present{RLIM_INFINITY, RLIM_INFINITY};

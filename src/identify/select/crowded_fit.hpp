@@ -7,8 +7,8 @@
 
 namespace percuss::identify {
 
-/// Crowded modes are fitted together in at most this many FRFs, as of two accelerometers on a bat. The work grows
-/// with the number of FRFs, and the shapes of more points separate close modes.
+/// Crowded modes are fitted together in at most this many FRFs, for example from two accelerometers on a bat. The work
+/// grows with the number of FRFs, and the shapes of more points separate close modes.
 constexpr std::size_t kMaxCrowdFrfs = 2;
 
 /// Half-power bandwidths of all modes over the width of the band.

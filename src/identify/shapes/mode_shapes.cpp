@@ -124,8 +124,8 @@ void normalise_largest(ModeShape& shape) {
   scale(shape.sensors, 1 / by);
 }
 
-// Scales to unit modal mass by the driving point with the most significant residue; false where no residue is
-// significantly positive.
+// Scales to unit modal mass by the driving point with the most significant residue; false where no residue clearly has
+// the sign of its driving point.
 bool normalise_mass(ModeShape& shape, const Mode& mode, const ShapeOptions& options) {
   const Residue* best = nullptr;
   Complex square;  // φ_d² of the best one

@@ -16,15 +16,15 @@ struct ScanOutlier {
   std::optional<double> fits_m;   // the position whose amplitudes they have, within the scan
 };
 
-/// The points that do not fit, ascending. The curve of a mode at a point is a polynomial through the other points among
-/// the thirteen nearest, of the degree with the least BIC, up to 5. One more of them is left out where this halves the
-/// standard deviation of the rest in all modes: of two exchanged points, each disturbs the curve at the other. The
-/// variance of a deviation is a sum of four parts: the scatter of the other points about their curve (or of the hits of
-/// one point, if this is larger), the uncertainty of the curve, its change by the next degree, and the noise. A
-/// deviation below a tenth of the largest amplitude does not count. Modes with one shape along the scan (MAC above
-/// 0.9), as the two planes of a bending mode, count once. A point does not fit if its mean or one of its hits deviates
-/// by more than twelve standard deviations in two shapes. Nothing for fewer than eight points, or if all modes have one
-/// shape.
+/// The points that do not fit, ascending. The curve of a mode at a point is a polynomial through the twelve points
+/// nearest to it. Its degree is the one with the least BIC, up to 5. One of the twelve is left out if this halves the
+/// standard deviation of the rest on average over the modes: if two points are exchanged, each disturbs the curve at
+/// the other. The variance of a deviation is a sum of four parts: the scatter of the other points about their curve (or
+/// of the hits of one point, if this is larger), the uncertainty of the curve, its change by the next degree, and the
+/// noise. A deviation below a tenth of the largest amplitude does not count. Modes with one shape along the scan (MAC
+/// above 0.9), as the two planes of a bending mode, count once. A point does not fit if its mean or one of its hits
+/// deviates by more than twelve standard deviations in two shapes. Nothing for fewer than eight points, or if all modes
+/// have one shape.
 /// theory (5.11)
 std::vector<ScanOutlier> scan_outliers(std::span<const HitsAlongScan> modes);
 

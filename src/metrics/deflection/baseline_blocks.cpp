@@ -10,7 +10,7 @@ namespace percuss::metrics {
 namespace {
 
 constexpr double kGrowth = 1.3;                                // width of a block over the width of its neighbour
-constexpr double kNarrowestOfRest = 80, kWidestOfRest = 12;    // blocks of these widths would cover the rest …
+constexpr double kNarrowestOfRest = 80, kWidestOfRest = 12;    // how many such blocks would cover the rest …
 constexpr double kNarrowestMoving = 1500, kWidestMoving = 32;  // … and the motion
 constexpr double kSlowest = 0.1;                               // lowest rate over the inverse of the record's length
 

@@ -24,7 +24,7 @@ struct ReadingsRow {
 };
 
 /// Reads a table of bats (docs/schema/metrics-table.schema.json, or the same as CSV): "id", the readings under the
-/// names of the options of percuss metrics, and the words and frequencies of a study's table. A cell without a value
+/// names of the options of percuss metrics, and the texts and frequencies of a study's table. A cell without a value
 /// takes the value of `common`, unless the row holds an alternative: moment of inertia, period or gate times; BESR,
 /// BBCOR or rebound speed.
 /// errors  InputError with the line: another document, an unknown column, an impossible value, a row without an id, one
@@ -32,7 +32,7 @@ struct ReadingsRow {
 std::vector<ReadingsRow> parse_readings_table(std::string_view text, const std::string& where,
                                               const LabReadings& common = {});
 
-/// The columns of words and frequencies that a row passes on.
+/// The columns of texts and frequencies that a row passes on.
 const std::vector<std::string>& copied_columns();
 
 /// An example table.

@@ -47,8 +47,8 @@ void fit_figure(const Study& study, StudyFigure& figure) {
   }
 }
 
-// The programs, each with its number of bats and whether it counts: the programs of the options. Without any, only the
-// main program counts: "besr" if it has bats, else the program with the most bats.
+// The programs, each with its number of bats and whether it counts. The programs of the options count. Without any,
+// only the main program counts: "besr" if it has bats, else the program with the most bats.
 std::vector<StudyProgram> programs_of(const Study& study, const StudyOptions& options) {
   std::map<std::string, std::size_t> bats_of;
   for (std::size_t b = 0; b < study.bats.size(); ++b) bats_of[program_of(study.bats[b])] += study.repeated[b] ? 0U : 1U;

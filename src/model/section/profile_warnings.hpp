@@ -28,8 +28,8 @@ inline constexpr auto kProfileWarningCodes = std::to_array<warnings::RankedCode>
 std::optional<ProfileWarning> profile_warning(const SectionTable& table, const std::vector<double>& freq_Hz,
                                               const std::vector<double>& other_Hz, std::size_t first_mode);
 
-/// The warning low_shear: a layer's Young's modulus is more than 30 times its shear modulus times shape factor, as
-/// where Young's modulus of a metal is stated and the shear modulus of wood stays. Its value is that ratio.
+/// The warning low_shear: a layer's Young's modulus is more than 30 times its shear modulus times shape factor, for
+/// example if Young's modulus of a metal is stated and the shear modulus of wood stays. Its value is that ratio.
 std::optional<ProfileWarning> shear_warning(const SectionTable& table, const Material& material);
 
 }  // namespace percuss::model

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMaxChannels = 8;         // a fit each; more channels usually share one recorder
 constexpr std::size_t kMinShared = 4;           // modes that two channels must share
 constexpr double kNear = 2;                     // half-power bandwidths between the places of one mode in two channels
-constexpr double kMinMisfit = 1e-9;             // of a frequency: no clocks agree better; rounding leaves less
+constexpr double kMinMisfit = 1e-9;             // of a frequency: two clocks differ by more; rounding leaves less
 constexpr double kMinResidual = 1e-8;           // of the FRFs: clocks that differ by kMinMisfit leave more
 constexpr std::size_t kFitFlops = 100'000'000;  // a lower limit
 

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t kMinPoints = 6;
 constexpr double kRoundingOfFreq = 1e-9;  // relative
-// Modes whose frequency falls, per mode whose frequency rises. Two close modes that a sensor's mass moves across each
-// other can be listed so that one of them seems to rise.
+// Least number of modes whose frequency falls, per mode whose frequency rises. Two close modes that a sensor's mass
+// moves across each other can be listed so that one of them seems to rise.
 constexpr std::size_t kFallsPerRise = 5;
 
 // Data of a linear regression, one value per point, both about their medians.

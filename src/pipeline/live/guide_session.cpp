@@ -47,7 +47,7 @@ bool Guide::repeat_past(const SessionEvent& blow) {
 void Guide::command(SessionEvent::Kind kind, int point) {
   const SessionEvent event{.kind = kind, .frame = history_.end_frame(), .point = point};
   log_.append_event(json_of(event));
-  // A device that delivers nothing must not hold up the end: asked for twice, it comes at once.
+  // A device that delivers nothing must not delay the end: a second request ends the session at once.
   const bool asked_before = std::any_of(commands_.begin(), commands_.end(),
                                         [](const SessionEvent& other) { return other.kind == Kind::finish; });
   commands_.push_back(event);

@@ -61,9 +61,9 @@ struct TwoNumbers {
 };
 
 /// `groupings`: groupings_by_two_numbers(paths). `geometry`: the numbers of the stated geometry, empty without one. A
-/// geometry allows a grouping if it has all of its points. If it has as many points as a grouping, it allows no others;
-/// if as many as files, none. Where each file may be a point, only the grouping is left in which the number of the
-/// point stands first.
+/// geometry allows a grouping if it has all points of the grouping. A geometry with as many points as a grouping allows
+/// no other groupings; one with as many points as files allows none. Where each file may be a point, only the grouping
+/// is left in which the number of the point stands first.
 TwoNumbers judge_two_numbers(const std::vector<std::string>& paths,
                              std::vector<std::vector<acquire::FilesOfHits>> groupings, const std::set<int>& geometry);
 

@@ -2,8 +2,8 @@
 
 namespace percuss::acquire {
 
-/// The address of a function of PortAudio. The first call loads the shared library, which stays loaded: a linked
-/// PortAudio would load ALSA and JACK too at the start of every command, which takes 1 ms.
+/// The address of a function of PortAudio. The first call loads the shared library, which then stays loaded. PortAudio
+/// is not linked, because it would load ALSA and JACK too at the start of every command, which takes 1 ms.
 /// errors  InputError: the library is not installed, or lacks the function
 void* portaudio_address(const char* name);
 
