@@ -45,12 +45,18 @@ std::optional<bool> is_interval_key(std::string_view text) {
   return std::nullopt;
 }
 
-// The factor to Hz or s from the unit in `text`, a key or the text after the number.
-double unit_factor(std::string_view text, bool interval) {
+// The factor to Hz or s from the unit in `text`, a key or the text after the number; nothing without a unit.
+std::optional<double> unit_factor(std::string_view text, bool interval) {
   const std::string key = key_of(text);
   const auto ends = [&](std::string_view ending) { return key.size() >= ending.size() && key.ends_with(ending); };
-  if (!interval) return ends("mhz") ? 1e6 : ends("khz") || ends("kss") ? 1e3 : 1;
-  return ends("ms") || ends("msec") ? 1e-3 : ends("us") || ends("usec") ? 1e-6 : 1;
+  if (interval) {
+    if (ends("ms") || ends("msec")) return 1e-3;
+    if (ends("us") || ends("usec")) return 1e-6;
+    return key == "s" || key == "sec" ? std::optional(1.0) : std::nullopt;
+  }
+  if (ends("mhz")) return 1e6;
+  if (ends("khz") || ends("kss")) return 1e3;
+  return ends("hz") ? std::optional(1.0) : std::nullopt;
 }
 
 // "50", "50 Hz" and "25.6kHz": the number and the text after it.
@@ -83,10 +89,11 @@ std::optional<double> stated_rate_Hz(std::string_view line, const CsvDialect& di
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto number = leading_number(values[i], dialect.decimal_comma);
     if (!number || !(number->first > 0)) continue;
-    double factor = unit_factor(number->second, *interval);
-    if (factor == 1 && i + 1 < values.size()) factor = unit_factor(values[i + 1], *interval);
-    if (factor == 1) factor = unit_factor(key, *interval);
-    return *interval ? 1 / (number->first * factor) : number->first * factor;
+    std::optional<double> factor = unit_factor(number->second, *interval);
+    if (!factor && i + 1 < values.size()) factor = unit_factor(values[i + 1], *interval);
+    if (!factor) factor = unit_factor(key, *interval);
+    const double value = number->first * factor.value_or(1);
+    return *interval ? 1 / value : value;
   }
   return std::nullopt;
 }

@@ -9,10 +9,11 @@
 namespace percuss::metrics {
 namespace {
 
-constexpr double kGrowth = 1.3;                                // width of a block over the width of its neighbour
-constexpr double kNarrowestOfRest = 80, kWidestOfRest = 12;    // how many such blocks would cover the rest …
-constexpr double kNarrowestMoving = 1500, kWidestMoving = 32;  // … and the motion
-constexpr double kSlowest = 0.1;                               // lowest rate over the inverse of the record's length
+constexpr double kGrowth = 1.3;  // width of a block over the width of its neighbour
+// How many of the narrowest and of the widest blocks would cover the rest, and the motion.
+constexpr double kNarrowestPerRest = 80, kWidestPerRest = 12;
+constexpr double kNarrowestPerMotion = 1500, kWidestPerMotion = 32;
+constexpr double kSlowest = 0.1;  // lowest rate over the inverse of the record's length
 
 // Ends of blocks that begin at 0 and cover `samples`; their widths grow from `narrowest` to `widest`.
 std::vector<std::size_t> block_ends(std::size_t samples, double narrowest, double widest) {
@@ -32,8 +33,8 @@ double mean_decay(double x) { return -std::expm1(-x) / x; }
 
 BaselineBlocks baseline_blocks(std::size_t rest, std::size_t moving, double fs_Hz) {
   const auto r = static_cast<double>(rest), m = static_cast<double>(moving);
-  const std::vector<std::size_t> before = block_ends(rest, r / kNarrowestOfRest, r / kWidestOfRest);
-  const std::vector<std::size_t> after = block_ends(moving, m / kNarrowestMoving, m / kWidestMoving);
+  const std::vector<std::size_t> before = block_ends(rest, r / kNarrowestPerRest, r / kWidestPerRest);
+  const std::vector<std::size_t> after = block_ends(moving, m / kNarrowestPerMotion, m / kWidestPerMotion);
   BaselineBlocks blocks{.begin_s = {}, .end_s = {}, .first = {0}, .at_rest = before.size()};
   for (std::size_t i = before.size(); i-- > 0;) blocks.first.push_back(rest - (i > 0 ? before[i - 1] : 0));
   for (const std::size_t end : after) blocks.first.push_back(rest + end);

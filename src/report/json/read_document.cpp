@@ -93,8 +93,8 @@ class Part {
   std::string where_;
 };
 
-constexpr int kEverySensor = -1;       // in the place of a channel
-constexpr std::size_t kMinFilled = 4;  // at least one in so many cells of a table holds a residue
+constexpr int kEverySensor = -1;  // in the place of a channel
+constexpr std::size_t kMaxCellsPerResidue = 4;
 
 int whole(double number) { return static_cast<int>(std::clamp(number, -1e9, 1e9)); }
 std::size_t index(double number) { return static_cast<std::size_t>(std::clamp(number, 0.0, 1e9)); }
@@ -107,7 +107,8 @@ bool fill_a_table(const std::vector<identify::Residue>& residues) {
     points.insert(residue.point);
     channels.insert(residue.channel);
   }
-  return points.size() >= metrics::kMinPlaces && points.size() * channels.size() <= kMinFilled * residues.size();
+  return points.size() >= metrics::kMinPlaces &&
+         points.size() * channels.size() <= kMaxCellsPerResidue * residues.size();
 }
 
 // Whether there are enough points for a comparison, with one residue each.

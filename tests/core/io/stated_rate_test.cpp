@@ -11,6 +11,8 @@ TEST(StatedRate, IsReadFromHeadersOfInstruments) {
   EXPECT_EQ(stated_rate_Hz("Sample rate: 51200", {.delimiter = ' '}), 51200);
   EXPECT_EQ(stated_rate_Hz("Sample rate 51.2 kHz", {.delimiter = ' '}), 51200);
   EXPECT_EQ(stated_rate_Hz("Sampling frequency,12.8,kHz", {}), 12800);
+  EXPECT_EQ(stated_rate_Hz("Sampling rate (kHz): 25600 Hz", {}), 25600);
+  EXPECT_EQ(stated_rate_Hz("Sampling rate (kHz): 25.6", {}), 25600);
   EXPECT_EQ(stated_rate_Hz("dt [ms];0,5", {.delimiter = ';', .decimal_comma = true}), 2000);
   EXPECT_EQ(stated_rate_Hz("Sample Interval,0.001", {}), 1000);
 }

@@ -80,7 +80,8 @@ TEST(DescribeCommonDrift, WidensTheStandardDeviationToTheSpreadOfTheTest) {
   std::vector<Mode> before = modes;
   before[0].hit_scatter_Hz = 0.2;
   describe_common_drift({.freq_change_per_hit = -1e-5, .std = 1e-7}, 11, before, modes);
-  EXPECT_NEAR(modes[0].freq_std_parts_Hz.hits, 1e-2 * std::sqrt(11.0), 1e-9) << "of the orders 1 to 11: √11";
+  EXPECT_NEAR(modes[0].freq_std_parts_Hz.hits, 1e-2 * std::sqrt(11.0), 1e-9)
+      << "of the orders 1 to 11, with the divisor n − 1: √11";
   EXPECT_NEAR(modes[0].freq_std_Hz, std::hypot(1e-3, 1e-2 * std::sqrt(11.0)), 1e-9);
   EXPECT_EQ(modes[0].drift->freq_change_per_hit, -1e-5);
   EXPECT_EQ(modes[0].hit_scatter_Hz, 0.2);

@@ -392,7 +392,8 @@ TEST(Deflection, DoesNotContinueTheLineOfASlowSway) {
   EXPECT_TRUE(found.moved_before);
   EXPECT_LT(found.peak_std_m, 0.02);
   const double truth_m = test::largest_magnitude(swaying.deflection_m);
-  EXPECT_LT(std::abs(std::abs(found.peak_m) - truth_m), sway_m + 3 * found.peak_std_m);
+  constexpr double kSway_m = kSway_mps2 / (kSway_radps * kSway_radps);
+  EXPECT_LT(std::abs(std::abs(found.peak_m) - truth_m), kSway_m + 3 * found.peak_std_m);
 }
 
 }  // namespace percuss::metrics::deflection_test

@@ -278,14 +278,15 @@ TEST_F(SoundRecord, WrittenAsW64HoldsPlainNumbers) {
 }
 
 // A channel of the sound file keeps the name "force_N" of its column in the text. The scale in the sound file counts,
-// not the unit in that name. Samples are 64-bit floats, as fractions of full scale.
+// not the unit in that name. Samples are 64-bit floats, as fractions of full scale: the
+// tolerances are a few roundings.
 TEST_F(SoundRecord, KeepsTheScaleOfChannelsWhoseNamesCarryUnits) {
   const Record text = test::csv_record("t_s,force_N,acc_g\n0,0,1\n0.01,300,-2\n0.02,10,0.5\n0.03,0,0\n");
   write_record(path_, text, false);
   const Record sound = open_record(path_);
-  EXPECT_THAT(force_N(sound), ElementsAre(0, testing::DoubleNear(300, 1e-4), testing::DoubleNear(10, 1e-4), 0));
+  EXPECT_THAT(force_N(sound), ElementsAre(0, testing::DoubleNear(300, 1e-12), testing::DoubleNear(10, 1e-12), 0));
   const std::vector<double> expected = accel_mps2(text), found = accel_mps2(sound);
-  for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_NEAR(found[n], expected[n], 1e-5);
+  for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_NEAR(found[n], expected[n], 1e-14);
 }
 
 }  // namespace percuss::acquire::sound_record_test
