@@ -115,7 +115,7 @@ std::string_view sentence_of(identify::NoNode reason) {
     case identify::NoNode::same_sign:
       return "the shape keeps its sign at all positions where the sign is certain (amplitude above three times its ±)";
     case identify::NoNode::wide:
-      return "the ± of the crossing is as large as for any place of the scan";
+      return "the ± of the crossing is as large as if the node could be anywhere in the scan";
   }
   return "";
 }

@@ -48,7 +48,7 @@ enum class NoNode {
   varies,         // the hits of one position differ by more than half the mode's rms amplitude
   uncertain,      // fewer than two points have a certain sign
   same_sign,      // all points that have a certain sign have the same one
-  wide            // each crossing is as uncertain as any place of the scan
+  wide            // each crossing is as uncertain as if it could be anywhere in the scan
 };
 std::string_view name_of(NoNode reason);
 
