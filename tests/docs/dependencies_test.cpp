@@ -76,7 +76,8 @@ TEST(Dependencies, OfTheToolAreStatedWhereverTheyAreListed) {
   }
 }
 
-// Linked, PortAudio would load ALSA and JACK at the start of every command. The package still brings it.
+// If the tool were linked to PortAudio, every command would load ALSA and JACK when it starts. The packages still
+// depend on PortAudio.
 TEST(Dependencies, OfSoundCardsAreLoadedOnlyWhereTheyAreUsed) {
   EXPECT_THAT(loaded_libraries(), testing::Not(testing::Contains("libportaudio")));
   for (const char* list : {"start", "docs/guides/batch/Containerfile"})

@@ -54,8 +54,8 @@ class Limits : public testing::Test {
 #ifndef PERCUSS_SANITIZED  // the sanitizers need terabytes of addresses
 // Regression: without memory, FFTW ended the program (SIGABRT), and HDF5 crashed while it wrote (SIGSEGV).
 TEST_F(Limits, OfAddressesGiveOneLine) {
-  // With less, the start-up of the shared libraries fails, before the program begins. 1 MiB more, because the addresses
-  // of the libraries vary from run to run.
+  // With less memory than least_MiB, the shared libraries cannot be loaded, and the program does not begin. The loop
+  // finds this limit. 1 MiB is added, because the addresses of the libraries vary from run to run.
   std::size_t least_MiB = 30;
   while (least_MiB < 60 && run_percuss({"--version"}, {.max_address_bytes = least_MiB << 20U}).code != 0) ++least_MiB;
   ++least_MiB;

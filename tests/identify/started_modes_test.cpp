@@ -98,7 +98,7 @@ TEST(StartedModes, IncludeTheModesThatTheSearchDidNotFind) {
   }
 }
 
-// Two modes a bandwidth apart or less, of which one was taken for both: the stated pair is fitted from its own places.
+// Two modes at most a bandwidth apart, found as one mode. The fit of the stated pair starts at the stated frequencies.
 TEST(StartedModes, SeparateAPairThatWasFoundAsOneMode) {
   const std::vector<Part> pair{{{150, 0.01}, 0.4}, {{400, 0.006}, 0.5}, {{402, 0.006}, 0.3}};
   const FrfDataset set = set_of(pair, 7);
@@ -127,7 +127,7 @@ TEST(StartedModes, FitOneModeAtAStartBetweenTwoThatWereFound) {
   ASSERT_EQ(started.joined.size(), 1U);
   EXPECT_EQ(started.joined[0].asked_Hz, 400.1);
   EXPECT_EQ(started.joined[0].found_Hz, std::pair(found[1].pole.freq_Hz, found[2].pole.freq_Hz));
-  // A start near one of the two names it, and both starts name both.
+  // A single start close to one of the two modes names this mode. Two starts name the two modes.
   EXPECT_TRUE(with_started_modes(set, found, {150, found[1].pole.freq_Hz + 0.1}, Effort::best).joined.empty());
   EXPECT_TRUE(with_started_modes(set, found, {400.1, found[2].pole.freq_Hz}, Effort::best).joined.empty());
 }

@@ -45,14 +45,14 @@ std::size_t text_width(const std::string& text) {
 
 namespace {
 
-// A number, with a sign or an opening bracket before it: "35.5", "(12.0", "±".
+// A number, or "±". A sign or an opening bracket may come before the number: "35.5", "(12.0".
 bool is_number(std::string_view word) {
   if (word == "±") return true;
   const std::size_t digit = word.find_first_not_of("(+-");
   return digit != std::string_view::npos && word.find_first_not_of("0123456789.", digit) == std::string_view::npos;
 }
 
-// A unit of measurement or "±", with punctuation behind it: "Hz,".
+// A unit of measurement or "±". Punctuation may follow it: "Hz,".
 bool is_unit(std::string_view word) {
   constexpr std::array<std::string_view, 19> kUnits{"%",  "Hz", "kHz", "s",  "ms", "N", "g",   "kg",  "m",  "mm",
                                                     "in", "oz", "mph", "°F", "dB", "±", "m/s", "lbf", "GPa"};

@@ -109,7 +109,8 @@ TEST(SignalOverrides, PrefersOptionsToTheSetup) {
   EXPECT_EQ(force_overrides({}, nullptr).sign, 1);
 }
 
-// A pulse is positive along the stated direction. The responses get the sign for the opposite blow.
+// A pulse is positive along its stated direction, so a direction along −z does not change the sign of the force. It
+// reverses the sign of the responses, which then belong to a blow along +z.
 TEST(SignalOverrides, KeepTheSignOfAForceAlongANegativeDirection) {
   const ChannelSetup down{.sign = -1, .axis = Direction{0, 0, 1}}, up{.axis = Direction{0, 0, 1}}, reversed{.sign = -1};
   EXPECT_EQ(force_overrides({}, &down).sign, 1);

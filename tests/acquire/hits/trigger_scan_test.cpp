@@ -44,7 +44,8 @@ TEST(TriggerScan, MeasuresBaselineAndNoiseBesideThePulses) {
   test::add_noise(x, 0.4, 3);
   for (std::size_t at = 8000; at < 60000; at += 8000) add_pulse(x, at, 90);
   const TriggerScan found = scan(x);
-  // 2.5 standard deviations over 1024 samples. The median has 1.25 σ/√n, the robust standard deviation 1.17 σ/√n.
+  // 2.5 standard errors of an estimate from n = 1024 samples. The standard error of the median is 1.25 σ/√n, and the
+  // standard error of the robust standard deviation is 1.17 σ/√n.
   constexpr double kTolerance = 2.5 * 1.3 * 0.4 / 32;
   EXPECT_LE(std::abs(found.baseline_N + 7.5), kTolerance);
   EXPECT_LE(std::abs(found.noise_N - 0.4), kTolerance);

@@ -49,7 +49,8 @@ TEST_F(Inputs, MayBeAFolderOrAQuotedPattern) {
   EXPECT_THAT(none.err, HasSubstr("no file matches the pattern (*.uff)"));
 }
 
-// Without the line, the later samples would come too early: the mode would be off by many standard deviations.
+// Three lines are lost. If percuss closed the gap, the later samples would come too early, and the mode would be off by
+// many standard deviations.
 TEST_F(Inputs, WithALostLineKeepTheirTime) {
   const auto column = [&](std::vector<double> x) {
     x.erase(x.begin() + 900, x.begin() + 903);
@@ -120,7 +121,7 @@ TEST_F(Inputs, AcceptHitsAsRangesAndAll) {
   }
 }
 
-// Commands with a band read "--band 60 1500" as 60:1500. "convert" has none, so that its error must not suggest it.
+// Commands with a band read "--band 60 1500" as 60:1500. "convert" has no band, so its error must not suggest 60:1500.
 TEST_F(Inputs, TakeTwoNumbersForABandOfTheChosenCommand) {
   test::write_small_test(file("bat.h5"));
   EXPECT_EQ(run_percuss({"analyze", "--band", "60", "1500", file("bat.h5"), "--only", "hits"}).code, 0);

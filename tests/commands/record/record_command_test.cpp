@@ -115,7 +115,7 @@ TEST(RecordCommand, AnalysesAReplayedRecordAlike) {
   EXPECT_THAT(bench.run({"analyze", "t.h5", "--band", "60:3200"}).out, Not(HasSubstr("the capture lost")));
   const auto replayed = of("t.h5"), original = of("r.h5");
   ASSERT_EQ(replayed.size(), original.size());
-  // The windows differ by some samples, so the frequencies agree only to about their relative ±, 1e-6.
+  // The windows differ by some samples, so the frequencies agree only to about their relative standard deviation, 1e-6.
   for (std::size_t m = 0; m < original.size(); ++m) EXPECT_NEAR(replayed[m], original[m], 2e-6 * original[m]);
 }
 

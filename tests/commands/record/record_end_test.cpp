@@ -96,7 +96,7 @@ TEST(RecordEnd, EndsEarlyWithItsOwnCode) {
   EXPECT_EQ(silent.code, 4);
 }
 
-// The exit code tells a script that records one test after another that the device is unplugged.
+// From the exit code, a script that records several tests in a row learns that the device is unplugged.
 TEST(RecordEnd, EndsEarlyBeforeTheFirstBlow) {
   const Bench bench;
   const auto unplugged = bench.record("sim:aluminium-bat,unplug=0.5", {"--report", "r.html"});

@@ -137,7 +137,8 @@ TEST(Object, IsJudgedByTheModesWhereAnglesAreAssumed) {
   EXPECT_TRUE(classifications(plate(), {.object = ObjectKind::tube, .angles_assumed = true})[0].ratio);
 }
 
-// Ten random ratios, as of two sensors on a frame, may resemble a tube: 22 % did where a factor of 1/10 was enough.
+// Ten random ratios, as of two sensors on a frame, may resemble a tube. With a limit of 1/10 for the Bayes factor, 22 %
+// of such frames counted as tubes.
 TEST(Object, OfManyModesNeedsMoreEvidenceForATube) {
   const ClassifyOptions assumed{.angles_assumed = true};
   const auto mode = [](std::size_t m, double chi) {
@@ -153,7 +154,7 @@ TEST(Object, OfManyModesNeedsMoreEvidenceForATube) {
     named += classifications(modes, assumed)[0].ratio ? 1U : 0U;
   }
   EXPECT_LT(named, kFrames / 10);
-  // A tube of ten modes: the planes of bending scatter by 8°, and of two modes by more.
+  // A tube of ten modes: the planes of bending scatter by 8°, and the ratios of two modes are random.
   constexpr std::size_t kTubes = 100;
   std::normal_distribution<double> plane(0.4, 0.14), hoop_chi(-std::numbers::pi / 4, 0.035);
   std::size_t tubes = 0;

@@ -268,7 +268,7 @@ TEST_F(Hdf5Read, ExchangesTheForceAndAChannelByTheirNames) {
   ASSERT_EQ(one.accel.size(), 1u);
   EXPECT_EQ(one.accel[0].name, "accel 1");
   EXPECT_EQ(force_N(one, 0), ramp(9, 9));
-  // The units of the file are those of its own roles.
+  // The file states its units for the roles that it gives to the signals. For other roles, the user states the units.
   EXPECT_THAT(input_error_of([&] { open_hdf5(path_, {.force_channel = "accel 1", .accel_channels = {"force"}}); }),
               HasSubstr("\"m/s^2\" measures an acceleration, not a force"));
   EXPECT_THAT(test::options_of_error([&] { open_hdf5(path_, {.force_channel = "accel 1"}); }),

@@ -27,7 +27,7 @@ using testing::IsEmpty;
 constexpr int kSamples = 40;
 constexpr double kStart_s = -0.01, kStep_s = 0.001;
 
-// One capture: a pulse at sample 10, and a number of its own in every response.
+// One capture: a pulse at sample 10, and responses that count up from 1000 times the number of the capture.
 std::string capture(int number, int samples = kSamples, double start_s = kStart_s, double step_s = kStep_s,
                     double peak_N = 100) {
   std::string text;

@@ -112,8 +112,8 @@ TEST(ReadFrfText, ConvertsTheFrequencies) {
               HasSubstr("the unit of the frequencies, order, is not known"));
 }
 
-// As many programs export a spacing of 0.78125 Hz. The last frequency, 1599.22 Hz, divided by its number, 2047, is
-// 0.7812506 Hz.
+// Many programs round the frequencies to two decimals. The spacing is 0.78125 Hz, but the last frequency, 1599.22 Hz,
+// divided by its number, 2047, is 0.7812506 Hz.
 TEST(ReadFrfText, FindsTheSpacingOfRoundedFrequencies) {
   std::string text = "Frequency (Hz),Re,Im\n";
   for (int k = 0; k < 2048; ++k) text += fmt::format("{:.2f},{},1\n", 0.78125 * k, k);

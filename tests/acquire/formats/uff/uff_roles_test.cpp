@@ -86,7 +86,7 @@ TEST(UffRoles, FollowNumbersInTheOrderOfTheFile) {
   expect_two_hits(two_hits("a", "b"), {.force_channel = "2", .accel_channels = {"1"}});
   expect_two_hits(two_hits("a", "b"),
                   {.setup = {{.name = "2", .role = "force"}, {.name = "1", .role = "acceleration"}}});
-  // Two functions of one name form a single row, so the options keep their numbers.
+  // Two functions of one name form a single row. Both have this name, so the options still select them by number.
   const Record one =
       open_uff(csv_bytes(unstated("a", 3) + unstated("a", 1)), {.force_channel = "2", .accel_channels = {"1"}});
   ASSERT_EQ(one.rows.size(), 1U);
