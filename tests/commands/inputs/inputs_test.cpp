@@ -51,7 +51,7 @@ TEST_F(Inputs, MayBeAFolderOrAQuotedPattern) {
 
 // Three lines are lost. If percuss closed the gap, the later samples would come too early, and the mode would be off by
 // many standard deviations.
-TEST_F(Inputs, WithALostLineKeepTheirTime) {
+TEST_F(Inputs, WithLostLinesKeepTheirTime) {
   const auto column = [&](std::vector<double> x) {
     x.erase(x.begin() + 900, x.begin() + 903);
     return x;
