@@ -45,7 +45,7 @@ def nearest(document, frequency_hz):
 
 
 def seen_in(document, mode):
-    """The document's mode at this mode's frequency, within its bandwidth or a spectral line; None without one."""
+    """The document's mode nearest to this mode, if within its half-power bandwidth or 1 Hz; otherwise None."""
     reach_hz = max(2 * mode["damping_ratio"] * mode["frequency_hz"], 1)
     found = nearest(document, mode["frequency_hz"])
     return found if abs(found["frequency_hz"] - mode["frequency_hz"]) < reach_hz else None

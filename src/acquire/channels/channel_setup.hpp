@@ -12,7 +12,7 @@ namespace percuss::acquire {
 ///   name (required)          the column's name or 1-based number, or the data set's channel ("accel 1")
 ///   role                     "force", "acceleration" or "ignore"
 ///   sign                     1 or -1
-///   direction                "+x", "-x", … "-z", in place of sign: of a positive value
+///   direction                "+x", "-x", … "-z": the direction of a positive value, in place of sign
 ///   angle_deg, position_m    of the sensor
 ///   sensitivity, sensitivity_unit   both or none: 2.25 and "mV/N"
 ///   unit                     of the stored numbers

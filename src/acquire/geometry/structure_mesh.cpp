@@ -18,7 +18,7 @@ constexpr std::size_t kMaxMeshPoints = 2000;
 constexpr double kThin = 1e-6;         // extent across a line, of its length: rounding
 constexpr double kMaxAside = 0.2;      // extent across a line, of the smallest distance between neighbours
 constexpr double kFlat = 0.1;          // extent across a plane, of its width
-constexpr double kMinProjected = 0.2;  // of a distance that the projection on a plane must keep
+constexpr double kMinProjected = 0.2;  // the part of a distance that a projection on a plane must keep
 constexpr double kUpright = 0.9;       // cosine from which a line runs along z
 
 using MeshPoints = std::span<const std::array<double, 3>>;

@@ -10,7 +10,7 @@ namespace percuss::acquire {
 int fork_child();
 
 /// Closes all descriptors of this process but these, which become 0, 1, …. Descriptors of the file `path` remain under
-/// their numbers, read-only: HDF5 reads a file that this process had open before the fork through its old descriptor.
+/// their numbers, read-only: if the file was open before the fork, HDF5 reads it through the old descriptor.
 void keep_only_descriptors(std::initializer_list<int> kept, const std::string& path = {});
 
 /// The kernel kills this process once the write end of this pipe is closed in all processes. Only the parent holds the

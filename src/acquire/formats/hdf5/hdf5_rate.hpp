@@ -12,8 +12,8 @@ namespace percuss::acquire::hdf5 {
 double read_rate_Hz(const InputHdf5& file, const InputDataSet* force, const InputDataSet& accel,
                     const ReadOptions& options, std::vector<Message>& notes);
 
-/// Keeps the faults at the same missing samples if the user states another rate than the file. The file states the time
-/// of the missing samples at its own rate, so the times are converted.
+/// Converts the times of missing samples to the rate of the record, if the user states another rate than the file. The
+/// file states these times at its own rate. They then still name the same samples.
 void keep_missing_samples(const InputHdf5& file, Record& record);
 
 }  // namespace percuss::acquire::hdf5

@@ -30,7 +30,7 @@ std::uint64_t element_count(const matvar_t* variable);
 
 std::size_t field_count(const matvar_t* structure);
 
-/// The characters, of each the low byte: units are ASCII.
+/// The low byte of each character of a text: units are ASCII.
 std::string text_of(const matvar_t* variable);
 
 std::vector<MatField> fields_of(const matvar_t* structure);
