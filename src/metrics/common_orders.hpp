@@ -9,9 +9,10 @@ namespace percuss::metrics {
 
 /// The orders that the modes of two documents state within their families. Only modes whose family has a confidence of
 /// 0.9 or more count. An order is a count from below, so that a mode that one document lacks moves all orders above it.
-/// The common orders are therefore compared from below, by the change of ln(f_b/f_a) from the common order below: if a
-/// higher order of the other document is more than twice as near, orders from here on are in doubt. The orders of a
-/// family do not hold at all if no common order lies within `furthest`, relative to the first document.
+/// The common orders are therefore checked from below. Their distance is the change of ln(f_b/f_a) from the common
+/// order below. If an order of one document is less than half as far from a higher order of the other, orders from here
+/// on are in doubt. The orders of a family do not hold at all if no common order lies within `furthest`, relative to
+/// the first document.
 class CommonOrders {
  public:
   CommonOrders(const ComparedDocument& a, const ComparedDocument& b, double furthest);

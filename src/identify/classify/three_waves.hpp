@@ -17,12 +17,12 @@ struct LowerTubeModes {
 /// two by the ratio of residues. Both are equally probable at first. The frequencies decide, if three bending orders
 /// or more lie below: √f of successive orders rises by equal steps (within 3 % of f), and an order is rarely missing.
 /// The densities of ln f are normal for bending, and uniform from 2 to 6 times the lowest hoop frequency for n = 3;
-/// the probabilities are sums over all assignments of the orders above that limit.
+/// the probabilities are sums over all assignments of the orders above twice this frequency.
 /// A mode with a probability of more than 3 % for three waves is marked. Its confidence is multiplied by the
 /// probability of bending. If the result is below kMinTypeProbability, its type becomes unknown, and later bending
 /// orders are numbered without it. A bending mode whose order is then uncertain is marked, too. If there is no sure
 /// hoop mode, nothing changes: the lowest hoop mode then lies above the band or is not excited, and modes of three
-/// waves lie even higher. Modes below the limit never change.
+/// waves lie even higher. Modes below twice the lowest hoop frequency never change.
 /// three_over_bending [modes]: likelihood of the ratio for n = 3 over the one for bending in any plane. theory (6.9)
 void allow_three_waves(const std::vector<Mode>& modes, std::vector<ModeClassification>& classifications,
                        const std::vector<double>& three_over_bending, const LowerTubeModes& lower = {});

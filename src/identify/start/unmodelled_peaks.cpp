@@ -23,8 +23,8 @@ constexpr double kUnexplained = 0.25;  // residual energy over a peak's energy: 
 constexpr double kClearOfNoise = 6;    // standard deviations of the difference of two lines
 constexpr double kPeakSpan = 6;        // half-widths on either side, for a peak's energy
 
-// The test for a tail compares the residual's energy before and after a polynomial is subtracted, both without the
-// noise's energy. A polynomial of kTailTerms leaves at least 0.2 of the energy of a resonance within kPeakSpan whose
+// The test for a tail compares the residual's energy after a straight line and after a polynomial of kTailTerms is
+// subtracted, both without the noise's energy. The polynomial leaves at least 0.2 of a resonance within kPeakSpan whose
 // width is known to a factor of 1.4 and whose place is known to its half-width. It leaves less than 0.15 for the tail
 // of a mode that is farther away than 1.1 of that span. A polynomial of kNoiseTerms leaves only noise.
 constexpr Index kTailTerms = 5, kNoiseTerms = 10;

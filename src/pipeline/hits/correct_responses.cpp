@@ -165,8 +165,8 @@ std::vector<double> candidates_for_tones(const std::vector<HitResponse>& respons
 }
 
 // Searches the first hit for tones, and all hits if it has some. Subtracts the tones from the samples of all hits. If
-// any hit has corrected samples, the search ends with these in all hits: inserted samples shift the samples after them,
-// so that the record does not continue the corrected samples.
+// any hit has corrected samples, only the samples of the lines are searched, in all hits: inserted samples shift the
+// samples after them, so that the record does not continue the corrected samples.
 // returns  [used hits × channels] the amplitude of the tones that wander and thus remain; empty without tones.
 std::vector<double> remove_tones(HitResponses& responses, std::vector<Samples>& corrected,
                                  const acquire::Record& record, const std::vector<AnalysedHit>& hits,

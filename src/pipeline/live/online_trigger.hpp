@@ -34,8 +34,9 @@ struct OnlineTriggerOptions {
 };
 
 /// Finds the blows that acquire::scan_for_triggers finds in the whole record, as soon as their samples have arrived.
-/// The default threshold is max(12 standard deviations of the recent noise, 1 % of the recent blows, from the third
-/// on). The result does not depend on how the samples are divided into calls. theory (1.2)
+/// The default threshold is 12 standard deviations of the recent noise. After the third blow, it is also at least 1 %
+/// of the median peak of the recent blows. The result does not depend on how the samples are divided into calls.
+/// theory (1.2)
 class OnlineTrigger {
  public:
   OnlineTrigger(const OnlineTriggerOptions& options, std::uint64_t first_frame);

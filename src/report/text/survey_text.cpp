@@ -15,7 +15,7 @@
 namespace percuss::report {
 namespace {
 
-constexpr double kMinMac = 0.2;  // between two modes; pairs with lower values are not listed, only their largest
+constexpr double kMinMac = 0.2;  // of a listed pair of modes; if no pair is listed, the largest MAC is stated
 
 std::string plane_cell(const std::optional<identify::TubeShape>& tube) {
   if (!tube || !tube->plane_rad) return "–";
