@@ -157,7 +157,7 @@ TEST(AsScan, AssignsRowsInOrderWhenPointsAreNotStated) {
   EXPECT_EQ(scan.notes.size(), record.notes.size() + 1);
 }
 
-// Rows that are files of one hit each are not one recording.
+// Each row is a file of one hit, although `continuous` allows several hits in a row.
 TEST(AsScan, AssignsFilesOfOneHitEach) {
   acquire::Record record = synth::synthesise(scan_spec("wood-bat", 0)).record;
   for (acquire::RowInfo& row : record.rows) row.point = 0;
@@ -179,7 +179,7 @@ TEST(AsScan, MergesFilesOfEqualPositions) {
     return points;
   };
   EXPECT_THAT(points_of(as_scan(files, positions, true)), testing::ElementsAre(0, 0, 1, 2, 2));
-  // Points of a record are places of their own.
+  // The points of one record must have different positions.
   EXPECT_THAT(test::input_error_of([&] { as_scan(files, positions); }),
               testing::HasSubstr("two points of the scan lie at 3.93701 in"));
   // Rows whose points are not stated.

@@ -123,7 +123,7 @@ TEST(RoundBarrelSurvey, HasBothModesOfEachPairOfPlanes) {
   }
 }
 
-// The survey of that bat, computed once; the sensor sits at point 0.
+// The survey of barrel(), computed once; the sensor sits at point 0.
 class BarrelSurvey : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -409,7 +409,7 @@ TEST(Survey, WarnsOfAWrongDrivingPointSignAndBrokenReciprocity) {
   EXPECT_THAT(Survey(bad, {}).warnings(), Contains(Field(&Warning::code, "driving_point_sign")));
 }
 
-// The remedy of a reversed sensor names what to state. The blows may also go the other way, as the geometry states.
+// The blows go against the sensor. If the geometry does not state this, the remedy of the warning names what to state.
 TEST(Survey, AllowsForBlowsAgainstTheSensor) {
   synth::SynthSpec spec = roving(barrel(), 2);
   spec.modes.resize(2);

@@ -9,7 +9,8 @@ namespace percuss::tools {
 /// errors  InputError: no browser, or it fails; as write_file
 void write_page(const std::string& path, const std::string& html, const OutputFlags& flags);
 
-/// Throws InputError unless a browser is installed that can print `path`.
+/// Checks that a browser for PDF pages is installed.
+/// errors  InputError at `path`: as find_browser
 void require_browser(const std::string& path);
 
 }  // namespace percuss::tools

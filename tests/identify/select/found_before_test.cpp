@@ -10,11 +10,11 @@
 namespace percuss::identify::found_before_test {
 
 constexpr std::size_t kPoints = 10;
-constexpr double kNoise = 1e-3;  // the peaks are 50 times the shape
+constexpr double kNoise = 1e-3;  // a peak is 50 times its residue
 constexpr Pole kMode{.freq_Hz = 200, .damping_ratio = 0.01}, kBeside{.freq_Hz = 202, .damping_ratio = 0.01};
 
-// One mode was found before; its frequency scatters by 0.1 Hz. A fit of both poles leaves 0.4 of the energy of its
-// residual, so that the scatter could explain both poles.
+// One mode, kMode, was found before; its frequency scatters by 0.1 Hz. The fit of both poles leaves 0.4 of the residual
+// energy of this one mode with a pole of its own at each point, so that the scatter could explain both poles.
 std::vector<std::size_t> partners(double share) {
   FrfDataset set = test::empty_set(4096, 8192, 100, 500, kPoints);
   set.points.resize(kPoints);

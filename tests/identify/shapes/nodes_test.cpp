@@ -156,12 +156,13 @@ Comparison compare_nodes(double start_in, double step_in, int count, double std,
   return out;
 }
 
-// One polynomial over the whole bat has nodes 1 in off; the shape has more extremes than its degree.
+// A single polynomial over the whole bat would put nodes 1 in off: its degree is too low for all extremes of the
+// shape.
 TEST(FindNodes, FollowsShapesWithMoreNodesThanAPolynomialOfTheirWholeLength) {
   const struct {
     double step_in;
     int count;
-    double most_in;  // off, of the highest mode; in steps of 2 in its half wave has four points
+    double most_in;  // largest error, at mode 4; with a step of 2 in, its half wave has four points
   } scans[] = {{1, 32, 0.05}, {1.5, 21, 0.05}, {2, 16, 0.2}};
   for (const auto& scan : scans) {
     const Comparison exact = compare_nodes(1, scan.step_in, scan.count, 1e-6, 1);

@@ -57,7 +57,7 @@ TEST(ScatterAlongScan, FindsTheScatterOfTheHits) {
     position2 += scatter[0].position_std_m * scatter[0].position_std_m / kScans;
     relative2 += scatter[0].relative_std * scatter[0].relative_std / kScans;
   }
-  constexpr double kScatterOfMean = 0.1;  // three standard deviations of a variance with 26·200 degrees of freedom
+  constexpr double kScatterOfMean = 0.1;  // five standard deviations of a variance with 26·200 degrees of freedom
   EXPECT_NEAR(position2 / 4e-6, 1, kScatterOfMean);
   EXPECT_NEAR(relative2 / 9e-4, 1, kScatterOfMean);
 }
@@ -106,7 +106,8 @@ TEST(ScatterAlongScan, IsNothingForHitsThatOnlyNoiseTellsApart) {
   EXPECT_TRUE(scatter_along_scan({}).empty());
 }
 
-// The reason for the pooling: with the scatter of two hits alone, some points would have hardly any deviation.
+// The scatter is pooled over all points: from the two hits of one point alone, some points would get almost no standard
+// deviation.
 TEST(WithScatter, GivesNodesTrueStandardDeviations) {
   std::mt19937 random(3);
   for (const std::size_t hits : {2U, 3U, 5U}) {

@@ -79,8 +79,8 @@ Statistics statistics_of(const Signal& signal, double contact_s, double power, d
   return out;
 }
 
-// The power of the pulse is not known: an error of it moves the onset by up to 0.67 of the stated standard deviations.
-// The mean of 60 trials has a standard deviation of 0.13 of them, the RMS one of 0.1.
+// The power of the pulse is not known; an error of the power moves the onset by up to 0.67 stated standard deviations.
+// In the same unit, the mean of 60 trials has a standard deviation of 0.13, and the RMS one of 0.1.
 constexpr double kMaxMean = 0.8, kMaxRms = 1.4;
 constexpr double kQuietStd = 0.4;  // samples, without much noise; measured 0.30
 

@@ -116,7 +116,7 @@ TEST(LargestDeflection, IsUnbiasedInWeakRecords) {
                                                         {"three swings, noisy", quicker, 0.1, 0.4, 0.02},
                                                         {"three slower swings", two, 0.1, 0.6, 0.003}}) {
     const Errors errors = errors_of(of, ++seed);
-    EXPECT_GE(errors.stated, 0.001) << of.name;  // the ± decides which sample counts as the largest
+    EXPECT_GE(errors.stated, 0.001) << of.name;  // large enough to decide which sample counts as the largest
     EXPECT_LE(std::abs(errors.mean()), kMeanError * errors.std_of_mean()) << of.name;
     EXPECT_LE(errors.rms_in_stds(), kMaxRms) << of.name;
     for (const double z : errors.in_stds) EXPECT_LE(std::abs(z), kFurthest) << of.name;

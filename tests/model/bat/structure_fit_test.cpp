@@ -73,7 +73,7 @@ TEST(StructureFit, EnlargesStandardDeviationsThatTheMisfitExceeds) {
   measured[0].freq_Hz *= 1 + 6e-3;
   measured[1].freq_Hz *= 1 - 6e-3;
   const StructureFit fit = fit_structure(beam, {StructureParameter::young}, measured);
-  constexpr double kFrequenciesChanged = 0.02;  // the same deviation in Hz is another part of the frequency
+  constexpr double kFrequenciesChanged = 0.02;  // a standard deviation in Hz is another part of the changed frequency
   EXPECT_NEAR(std::sqrt(fit.chi2 / 72), 1, kFrequenciesChanged);
   EXPECT_NEAR(*fit.parameters[0].std / stated / std::sqrt(72), 1, kFrequenciesChanged);
 }

@@ -193,7 +193,8 @@ TEST(ChannelFindings, NameAReversedSensorAndOneThatRepeatsAnother) {
   };
   EXPECT_THAT(warnings_of(Analysis(twin(1), kBand)),
               Contains(AllOf(StartsWith("same_motion: "), HasSubstr("So do bending modes alone"))));
-  // Sensors at right angles do move against each other in every mode, where the hits are halfway between them.
+  // Sensors at right angles move in opposite phase in every mode if the hits are halfway between one sensor and the
+  // place opposite the other.
   EXPECT_THAT(warnings_of(Analysis(twin(-1), kBand)),
               AllOf(Contains(StartsWith("midway_hit: ")), Not(Contains(StartsWith("reversed")))));
   good.accel[1].angle_rad = good.accel[0].angle_rad;

@@ -119,7 +119,8 @@ TEST_F(HitAgreement, OnlyWarnsOfAnOutlierAmongThreeHits) {
   EXPECT_LE(found(2, acquire::FindingCode::low_coherence)->value, 0.9);
 }
 
-// In a survey, a wrong hit is rejected. Files of hits of one point may be several tests.
+// Files may be several tests if all hits are at one point, or if one of the files holds several points. Otherwise they
+// are one survey, whose wrong hit is to be rejected.
 TEST_F(HitAgreement, SuggestsToRejectAHitOrToSeparateFiles) {
   const auto option_for = [&](const std::vector<acquire::RowInfo>& rows) {
     hits_.clear(), force_.clear(), accel_.clear();

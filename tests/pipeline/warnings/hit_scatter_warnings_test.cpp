@@ -39,7 +39,7 @@ TEST(HitScatterWarnings, StateASlopeOfTheFrequencyWithTheDigitsOfItsStandardDevi
               testing::HasSubstr("falls by 0.002000 ± 0.000080 Hz/N (softening; 100.2 Hz at zero force)"));
 }
 
-// Ten modes, of which the frequencies of the first scatter between the hits.
+// Ten modes. The frequencies of the first `scattering` of them scatter between the hits.
 std::vector<Warning> scatter_of(std::size_t scattering, double p_value) {
   std::vector<identify::Mode> modes(10);
   for (std::size_t m = 0; m < modes.size(); ++m) {
@@ -53,7 +53,8 @@ std::vector<Warning> scatter_of(std::size_t scattering, double p_value) {
   return hit_scatter_warnings(modes);
 }
 
-// One of 20 values exceeds the limit of one value once in 50 tests.
+// Ten modes have 20 values (frequencies and damping ratios). By chance, one of these reaches the limit for a single
+// value, p = 1e-3, in one of 50 tests.
 TEST(HitScatterWarnings, NameNoScatterThatChanceExplainsInSoManyValues) {
   EXPECT_TRUE(scatter_of(1, 1e-3).empty());
   EXPECT_EQ(scatter_of(1, 1e-5).at(0).code, "hits_differ");

@@ -55,7 +55,7 @@ TEST(ReadDocument, ComparesTheDirectionsOfARovingSensor) {
               121.0 / 126, kRounding);
 }
 
-// A survey with a roving hammer, a model, and a survey with a roving sensor state one shape.
+// A roving sensor that measures one direction gives one value per point, as a roving hammer or a model does.
 TEST(ReadDocument, ComparesTheOneDirectionOfARovingSensorWithOtherTests) {
   EXPECT_NEAR(mac_of(document_of({1, 2, 3}, {1, 0.5}), document_of({1, 2, 2}, {1}, "sensor")), 121.0 / 126, kRounding);
 }
