@@ -70,9 +70,11 @@ struct SplitMode {
 /// The type of a mode of a tube: bending or hoop.
 struct ModeClassification {
   ModeType type = ModeType::unknown;
-  int order = 0;                                // counts from 1 within the type; 0 when unknown
-  double confidence = 0;                        // posterior probability of the type; unknown: 1 − the larger of both
-  std::optional<ModeType> alternative{};        // second type, where confidence < 0.9 or its own probability > 0.03
+  int order = 0;          // counts from 1 within the type; 0 when unknown
+  double confidence = 0;  // posterior probability of the type; unknown: 1 − the larger of both
+  // The second type, if confidence < 0.9 or its own probability > 0.03. Beside `unknown`: the likelier of bending and
+  // hoop. The alternative `unknown` means three waves around the barrel.
+  std::optional<ModeType> alternative{};
   std::optional<double> overlay_dB{};           // magnitude of the second FRF over the first at the peak
   bool overlaid = false;                        // |overlay_dB| is at most AnalysisOptions::overlay_dB
   std::optional<std::complex<double>> ratio{};  // residue of the second sensor over the residue of the first

@@ -337,11 +337,14 @@ TEST_F(AnalyzeResponses, RefusesWhatNeedsAForce) {
               HasSubstr("without a force channel"));
 }
 
-TEST_F(AnalyzeResponses, ComparesAndRefusesHitsThatDoNotExist) {
+TEST_F(AnalyzeResponses, CompareWithADocument) {
   ASSERT_EQ(run_percuss({"analyze", folder_.file("ping.wav"), "-o", folder_.file("a.json"), "--quiet"}).code, 0);
   const auto outcome = run_percuss({"analyze", folder_.file("ping.wav"), "--compare", folder_.file("a.json")});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("(0.00 %, 0.0 σ)"));
+}
+
+TEST_F(AnalyzeResponses, RefuseHitsThatDoNotExist) {
   EXPECT_THAT(test::rejection_of({"analyze", folder_.file("ping.wav"), "--reject-hit", "9"}, {".json"}, "ping.wav"),
               HasSubstr("there is no hit 9"));
 }

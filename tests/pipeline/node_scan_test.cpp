@@ -157,14 +157,6 @@ TEST(AsScan, AssignsRowsInOrderWhenPointsAreNotStated) {
   EXPECT_EQ(scan.notes.size(), record.notes.size() + 1);
 }
 
-// Each row is a file of one hit, although `continuous` allows several hits in a row.
-TEST(AsScan, AssignsFilesOfOneHitEach) {
-  acquire::Record record = synth::synthesise(scan_spec("wood-bat", 0)).record;
-  for (acquire::RowInfo& row : record.rows) row.point = 0;
-  record.continuous = true;
-  EXPECT_EQ(as_scan(record, kScan).points().size(), kScan.count);
-}
-
 TEST(AsScan, MergesFilesOfEqualPositions) {
   synth::SynthSpec spec = scan_spec("wood-bat", 0);
   spec.points.resize(5);

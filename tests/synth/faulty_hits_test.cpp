@@ -6,8 +6,6 @@
 #include "support/magnitude.hpp"
 #include "support/record_samples.hpp"
 #include "synth/pulse.hpp"
-#include "synth/random_stream.hpp"
-#include "synth/schedule.hpp"
 #include "synth/synthesise.hpp"
 
 namespace percuss::synth::faulty_hits_test {
@@ -126,41 +124,6 @@ TEST(Recorder, RoundsToItsSteps) {
     ASSERT_EQ(std::remainder(rounded[i], step), 0);
     ASSERT_LE(std::abs(rounded[i] - exact[i]), step / 2);
   }
-}
-
-TEST(Schedule, JittersWithinItsBounds) {
-  SynthSpec spec = bat();
-  spec.hits = 200;
-  const std::vector<TrueHit> hits = schedule_hits(spec);
-  ASSERT_EQ(hits.size(), 200U);
-  for (const TrueHit& hit : hits) {
-    EXPECT_GE(hit.onset_s, spec.pretrigger_s);
-    EXPECT_LE(hit.onset_s, spec.pretrigger_s + spec.onset_spread_s);
-    EXPECT_LE(std::abs(hit.width_s / spec.pulse.width_s - 1), 0.1);
-    EXPECT_LE(std::abs(hit.peak_N / spec.pulse.peak_N - 1), 0.25);
-  }
-}
-
-TEST(RandomStream, DependsOnItsNameOnly) {
-  RandomStream a{1, 2}, again{1, 2}, swapped{2, 1};
-  const double first = a.uniform();
-  EXPECT_EQ(first, again.uniform());
-  EXPECT_NE(first, swapped.uniform());
-}
-
-TEST(RandomStream, NormalsHaveTheirMoments) {
-  std::vector<double> x(200001, 0.0);
-  RandomStream{7, 3}.add_normal(2, x);
-  double mean = 0, second = 0, fourth = 0;
-  for (const double v : x) {
-    mean += v / 2;
-    second += v * v / 4;
-    fourth += std::pow(v / 2, 4);
-  }
-  const auto n = static_cast<double>(x.size());
-  EXPECT_LE(std::abs(mean / n), 5 / std::sqrt(n));             // five standard deviations each: 1/√n,
-  EXPECT_LE(std::abs(second / n - 1), 5 * std::sqrt(2 / n));   // √(2/n),
-  EXPECT_LE(std::abs(fourth / n - 3), 5 * std::sqrt(96 / n));  // √(96/n)
 }
 
 }  // namespace percuss::synth::faulty_hits_test

@@ -16,15 +16,6 @@
 namespace percuss::pipeline {
 namespace {
 
-int open_unnamed(const std::string& folder) {
-  const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-  if (file >= 0) return file;
-  std::string name = folder + "/.percuss-rows-XXXXXX";  // a file system without O_TMPFILE
-  const int named = ::mkostemp(name.data(), O_CLOEXEC);
-  if (named >= 0) ::unlink(name.c_str());
-  return named;
-}
-
 // For messages: "." does not tell the user which folder it is.
 std::string absolute_folder(const std::string& folder) {
   std::error_code failed;
@@ -32,14 +23,26 @@ std::string absolute_folder(const std::string& folder) {
   return failed ? folder : path.string();
 }
 
+int open_unnamed(const std::string& folder) {
+  const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  if (file >= 0) return file;
+  std::string name = folder + "/.percuss-rows-XXXXXX";  // a file system without O_TMPFILE
+  const int named = ::mkostemp(name.data(), O_CLOEXEC);
+  if (named < 0) {
+    const int error = errno;
+    throw_system_error("cannot keep rows", error, absolute_folder(folder), "write the record into another folder");
+  }
+  ::unlink(name.c_str());
+  return named;
+}
+
 }  // namespace
 
 RowStore::RowStore(const std::string& folder, std::size_t channels, std::size_t max_waiting_bytes)
-    : file_(open_unnamed(folder)), signals_(channels + 1), max_waiting_bytes_(max_waiting_bytes) {
-  const int error = errno;
-  folder_ = absolute_folder(folder);
-  if (file_ < 0) throw_system_error("cannot keep rows", error, folder_, "write the record into another folder");
-}
+    : file_(open_unnamed(folder)),
+      folder_(absolute_folder(folder)),
+      signals_(channels + 1),
+      max_waiting_bytes_(max_waiting_bytes) {}
 
 RowStore::~RowStore() { ::close(file_); }
 

@@ -52,7 +52,7 @@ TEST(VectorFitting, FindsThemAmongMorePolesThanModes) {
   expect_near(vector_fitting_poles(set_of(truth, 1e-3), 16, 8), truth, 0.1);  // averages over 8 lines
 }
 
-TEST(VectorFitting, NeedsFourLinesForEachPole) {
+TEST(VectorFitting, FindsNothingWithTooFewLinesPolesOrChannels) {
   const FrfDataset set = set_of(twelve_poles(), 0);
   EXPECT_TRUE(vector_fitting_poles(set, set.lines.count / 4 + 1, 0).empty());
   EXPECT_TRUE(vector_fitting_poles(set, 1, 0).empty());

@@ -50,7 +50,7 @@ double read_rate_Hz(const InputHdf5& file, const InputDataSet* force, const Inpu
                    {"fs"});
 }
 
-void keep_missing_samples(const InputHdf5& file, Record& record) {
+void convert_missing_times(const InputHdf5& file, Record& record) {
   const auto own_Hz = own_rate_Hz(file);
   for (RecordFault& fault : record.faults) {
     if (own_Hz && fault.kind == FaultKind::missing_samples) fault.time_s *= *own_Hz / record.fs_Hz;

@@ -14,6 +14,6 @@ double read_rate_Hz(const InputHdf5& file, const InputDataSet* force, const Inpu
 
 /// Converts the times of missing samples to the rate of the record, if the user states another rate than the file. The
 /// file states these times at its own rate. They then still name the same samples.
-void keep_missing_samples(const InputHdf5& file, Record& record);
+void convert_missing_times(const InputHdf5& file, Record& record);
 
 }  // namespace percuss::acquire::hdf5

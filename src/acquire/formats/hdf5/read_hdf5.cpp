@@ -237,7 +237,7 @@ Record open_hdf5(const std::string& path, const ReadOptions& stated) {
       hdf5::read_rate_Hz(opened->file, opened->force ? &*opened->force : nullptr, opened->accel, options, record.notes);
   describe_signals(*opened, options, record);
   describe_rows(*opened, record);
-  if (options.fs_Hz) hdf5::keep_missing_samples(opened->file, record);
+  if (options.fs_Hz) hdf5::convert_missing_times(opened->file, record);
   record.geometry = hdf5::read_geometry(opened->file);
   record.trace_lines = hdf5::read_trace_lines(opened->file, record.geometry.size());
   record.trace_faces = hdf5::read_trace_faces(opened->file, record.geometry.size());
