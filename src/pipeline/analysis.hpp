@@ -159,6 +159,7 @@ class Analysis {
   std::vector<identify::ModeClassification> types_below() const;  // of modes_below(), as modes of a tube
   identify::LowerTubeModes modes_of_lower_orders() const;
   // Adds the modes of the starting frequencies that name no mode found (identify::with_started_modes).
+  void allow_for_blow_time(std::vector<identify::Mode>& found) const;
   void add_started_modes(std::vector<identify::Mode>& found) const;
   // Fits the modes again, to FRFs without the drift that they have in common, if they have one.
   void remove_drift(const TestSpectra& from, const std::function<const identify::HitFrfs&()>& hits,
@@ -198,7 +199,9 @@ class Analysis {
   Lazy<std::vector<EarlierRinging>> earlier_ringing_;
   Lazy<std::vector<acquire::PointFrf>> frfs_;
   Lazy<identify::FrfDataset> averaged_frfs_;
-  mutable std::optional<identify::FrfDataset> steady_frfs_;  // set by modes()
+  // averaged_frfs_ without the drift of the hits, or with the time of the blow; set by modes()
+  mutable std::optional<identify::FrfDataset> refined_frfs_;
+  mutable std::optional<double> before_blow_s_;  // time_before_blow_s(); set with modes_
   Lazy<std::vector<identify::Mode>> modes_;
   mutable std::vector<identify::Mode> margin_modes_;            // below the band; set with modes_
   mutable std::vector<identify::Mode> band_modes_;              // all within the band, if modes_ holds a part of them

@@ -7,6 +7,7 @@
 #include "identify/hits/drift_removal.hpp"
 #include "identify/misfit/residual_end.hpp"
 #include "pipeline/analysis.hpp"
+#include "pipeline/stages/blow_time.hpp"
 #include "pipeline/stages/cancelled_tones.hpp"
 #include "pipeline/stages/hidden_modes.hpp"
 #include "pipeline/stages/hit_scatter.hpp"
@@ -77,8 +78,8 @@ void Analysis::remove_drift(const TestSpectra& from, const std::function<const i
     if (!drift) return;
     identify::SteadyTest steady = identify::without_drift(averaged_frfs(), hits(), found, drift->freq_change_per_hit);
     const auto of_steady = [&]() -> const identify::HitFrfs& { return steady.hits; };
-    steady_frfs_ = std::move(steady.set);
-    const identify::FrfDataset& set = *steady_frfs_;
+    refined_frfs_ = std::move(steady.set);
+    const identify::FrfDataset& set = *refined_frfs_;
     std::vector<identify::Mode> again = identify::identify_modes(set, all_modes());
     const auto search = [&] {
       if (may_hide_modes(set, from, all_modes(), again))
@@ -92,7 +93,14 @@ void Analysis::remove_drift(const TestSpectra& from, const std::function<const i
   }
 }
 
-const identify::FrfDataset& Analysis::fitted_frfs() const { return steady_frfs_ ? *steady_frfs_ : averaged_frfs(); }
+void Analysis::allow_for_blow_time(std::vector<identify::Mode>& found) const {
+  before_blow_s_ = time_before_blow_s(averaged_frfs(), found);
+  if (!before_blow_s_) return;
+  refined_frfs_ = with_blow_after(averaged_frfs(), *before_blow_s_);
+  found = identify::identify_modes(*refined_frfs_, all_modes());
+}
+
+const identify::FrfDataset& Analysis::fitted_frfs() const { return refined_frfs_ ? *refined_frfs_ : averaged_frfs(); }
 
 const identify::FrfDataset& Analysis::averaged_frfs() const {
   return within_budget(budget_, averaged_frfs_, [&] {
@@ -106,19 +114,21 @@ const identify::FrfDataset& Analysis::averaged_frfs() const {
 
 const std::vector<identify::Mode>& Analysis::modes() const {
   return within_budget(budget_, modes_, [&] {
-    const identify::FrfDataset& averaged = averaged_frfs();
+    const identify::FrfDataset& given_or_averaged = averaged_frfs();
     const TestSpectra from = spectra();
     const std::vector<Tone>& tones = from.responses.tones;
     const ThreadLimit limit(options_.threads);
     return trace_.run("modes", [&] {
       const identify::IdentifyOptions all = all_modes();
       std::vector<identify::Mode> found =
-          first_modes_ ? std::move(first_modes_->modes) : identify::identify_modes(averaged, all);
+          first_modes_ ? std::move(first_modes_->modes) : identify::identify_modes(given_or_averaged, all);
       const acquire::FrfRecord* const given = given_frfs();
       if (given) {
+        allow_for_blow_time(found);
         add_started_modes(found);
-        widen_to_stated_noise(*given, averaged, found);
+        widen_to_stated_noise(*given, fitted_frfs(), found);
       }
+      const identify::FrfDataset& averaged = before_blow_s_ ? *refined_frfs_ : given_or_averaged;
       std::optional<identify::HitFrfs> built;
       const auto hits = [&]() -> const identify::HitFrfs& {
         if (!built) built = single_hits(averaged, from, comparable_hits(from));

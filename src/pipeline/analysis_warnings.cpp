@@ -135,7 +135,8 @@ std::vector<Warning> Analysis::warnings_of_modes(const HitEvidence& evidence) co
       freq_scatter_warnings(modes(), force_known ? order_of_points(evidence.graded) : std::map<int, double>{});
   append(out, hit_scatter_warnings(modes(), residual_end_Hz_));
   append(out, mass_loading_warnings(modes()));
-  append(out, truncation_warnings(modes(), lines(), window_decay_per_s(), force_known, decay_cut()));
+  append(out, force_known ? truncation_warnings(modes(), lines(), window_decay_per_s(), decay_cut())
+                          : frf_truncation_warnings(modes(), lines(), window_decay_per_s(), before_blow_s_));
   append(out, no_modes_warnings(modes(), band_Hz(), !options_.modes.start_Hz.empty()));
   if (!user_chose_modes) append(out, local_fit_warnings(modes()));
   append(out, refused_start_warnings(refused_starts_));

@@ -40,6 +40,19 @@ bool ringing_exceeds_noise(const identify::FrfDataset& set, const std::vector<An
   return false;
 }
 
+// The modes that still ring when records of these lines end. The records begin `before_blow_s` before the blow.
+std::string ringing_modes(const std::vector<identify::Mode>& modes, const acquire::LineRange& lines,
+                          double window_decay_per_s, double before_blow_s = 0) {
+  std::string ringing;
+  for (const identify::Mode& mode : modes) {
+    const double remaining = std::pow(identify::remaining_amplitude(mode.pole, lines, window_decay_per_s),
+                                      1 - before_blow_s * lines.df_Hz());
+    if (remaining > kDecayed)
+      ringing += fmt::format("{}{:.1f} Hz ({:.1f} %)", ringing.empty() ? "" : ", ", mode.pole.freq_Hz, remaining * 100);
+  }
+  return ringing;
+}
+
 }  // namespace
 
 std::vector<Warning> pretrigger_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
@@ -58,16 +71,10 @@ std::vector<Warning> pretrigger_warnings(const acquire::Record& record, const st
 }
 
 std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& modes, const acquire::LineRange& lines,
-                                         double window_decay_per_s, bool force_known,
-                                         const std::optional<DecayCut>& cut) {
-  std::string ringing;
-  for (const identify::Mode& mode : modes) {
-    const double remaining = identify::remaining_amplitude(mode.pole, lines, window_decay_per_s);
-    if (remaining > kDecayed)
-      ringing += fmt::format("{}{:.1f} Hz ({:.1f} %)", ringing.empty() ? "" : ", ", mode.pole.freq_Hz, remaining * 100);
-  }
+                                         double window_decay_per_s, const std::optional<DecayCut>& cut) {
+  const std::string ringing = ringing_modes(modes, lines, window_decay_per_s);
   if (ringing.empty()) return {};
-  if (force_known && cut) {
+  if (cut) {
     return {with_remedy(
         {"truncated_decay",
          fmt::format("the analysis uses the first {:.3g} s of each hit, of {:.3g} s: only a steady background is seen "
@@ -77,17 +84,31 @@ std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& mode
          {"length"}},
         fmt::format("state a length of {:.3g} s to use all samples", cut->all_s))};
   }
-  if (force_known) {
-    return {{"truncated_decay", "these modes still ring when the samples end, with this part of their amplitude: " +
-                                    ringing + "; the fit of the damping allows for the missing decay"}};
+  return {{"truncated_decay", "these modes still ring when the samples end, with this part of their amplitude: " +
+                                  ringing + "; the fit of the damping allows for the missing decay"}};
+}
+
+std::vector<Warning> frf_truncation_warnings(const std::vector<identify::Mode>& modes, const acquire::LineRange& lines,
+                                             double window_decay_per_s, const std::optional<double>& before_blow_s) {
+  const std::string ringing = ringing_modes(modes, lines, window_decay_per_s, before_blow_s.value_or(0));
+  if (ringing.empty()) return {};
+  const std::string spacing = fmt::format(
+      "the spacing of the spectral lines corresponds to records of {:.4g} s, at whose end these modes still "
+      "rang with this part of their amplitude: {}. ",
+      1 / lines.df_Hz(), ringing);
+  if (before_blow_s) {
+    return {
+        {"truncated_decay",
+         spacing + fmt::format("The records begin {:.3g} s before the blow: the FRFs hold no motion in this time. The "
+                               "fit allows for the missing decay",
+                               *before_blow_s)}};
   }
   return {with_remedy(
       {"truncated_decay",
-       fmt::format("the spacing of the spectral lines corresponds to records of {:.4g} s, at whose end these modes "
-                   "still rang with this part of their amplitude: {}. The fit cannot allow for it without the "
-                   "force: residues may be off by as much. The damping may be too high by as much where the records "
-                   "begin before the blow, whatever its ±, and by more if the recorder applied an exponential window",
-                   1 / lines.df_Hz(), ringing),
+       spacing +
+           "The fit cannot allow for it without the force: residues may be off by as much. The damping may be too "
+           "high by as much where the records begin before the blow, whatever its ±, and by more if the recorder "
+           "applied an exponential window",
        {},
        "",
        acquire::Severity::warn},

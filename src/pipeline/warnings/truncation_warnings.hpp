@@ -17,9 +17,11 @@ std::vector<Warning> pretrigger_warnings(const acquire::Record& record, const st
                                          const identify::FrfDataset& set);
 
 /// truncated_decay: modes that still rang when the samples ended, or where the transforms end before them.
-/// `force_known`: false where the input is FRFs.
 std::vector<Warning> truncation_warnings(const std::vector<identify::Mode>& modes, const acquire::LineRange& lines,
-                                         double window_decay_per_s, bool force_known,
-                                         const std::optional<DecayCut>& cut = {});
+                                         double window_decay_per_s, const std::optional<DecayCut>& cut = {});
+
+/// truncated_decay of given FRFs. before_blow_s  time_before_blow_s() of blow_time.hpp.
+std::vector<Warning> frf_truncation_warnings(const std::vector<identify::Mode>& modes, const acquire::LineRange& lines,
+                                             double window_decay_per_s, const std::optional<double>& before_blow_s);
 
 }  // namespace percuss::pipeline
