@@ -22,7 +22,9 @@ constexpr double kMinSilence = 0.5;  // part of the expected energy that is abse
 // Times over the inverse of the band's width.
 constexpr double kNearBlow = 8;            // the blow's own response reaches so far before it
 constexpr double kEdge = 2, kBeside = 16;  // a step is blurred so far; the motion beside it is judged over so far
-constexpr double kMaxBesideEdge = 0.15;    // of the energy: under a window that halves the motion, a quarter is left
+// Sum of two parts of the energy: before a step, what the modes do not explain; after it, what is left. Where a window
+// halves the motion, each is a quarter.
+constexpr double kMaxBesideEdge = 0.35;
 constexpr double kNoiseTest = 3;           // standard deviations
 constexpr double kMinNoise = 1e-9;         // over the largest value
 constexpr double kMedianOfSquare = 0.455;  // of a normal deviate of variance 1
@@ -100,7 +102,8 @@ class Silence {
     }
     if (!(most > kMinEvidence) || !(most > kMinSilence * expected_of_most) || at == first_) return std::nullopt;
     const std::size_t edge = within(kEdge);
-    const bool sharp = describe_before(at - std::min(at, edge)) && is_silent_after(std::min(end_, at + edge));
+    const std::optional<double> unexplained = share_before(at - std::min(at, edge));
+    const bool sharp = unexplained && *unexplained + share_after(std::min(end_, at + edge)) < kMaxBesideEdge;
     return sharp ? std::optional(at) : std::nullopt;
   }
 
@@ -124,7 +127,7 @@ class Silence {
     double energy = 0, of_modes = 0, samples = 0;
     double noise() const { return kNoiseTest * std::sqrt(2 * samples); }
     bool enough(double min_samples) const { return samples >= min_samples && kMaxBesideEdge * of_modes > noise(); }
-    bool is_small() const { return energy - samples <= kMaxBesideEdge * of_modes + noise(); }
+    double share() const { return of_modes > 0 ? std::max(0.0, energy - samples - noise()) / of_modes : 0; }
   };
   void add(Beside& beside, const std::vector<double>& energy, std::size_t n) const {
     beside.energy += energy[n];
@@ -133,17 +136,17 @@ class Silence {
   }
   double min_beside() const { return frfs_ * static_cast<double>(within(kBeside)); }
 
-  // Whether the modes describe the motion up to this sample.
-  bool describe_before(std::size_t end) const {
+  // The part of the modes' energy that the motion before this sample lacks or adds; nothing where the noise hides it.
+  std::optional<double> share_before(std::size_t end) const {
     Beside beside;
     for (std::size_t n = end; n-- > 0 && !beside.enough(min_beside());) add(beside, differences_, n);
-    return beside.enough(min_beside()) && beside.is_small();
+    return beside.enough(min_beside()) ? std::optional(beside.share()) : std::nullopt;
   }
-  // Whether there is no motion from this sample on.
-  bool is_silent_after(std::size_t begin) const {
+  // The part of the modes' energy that the motion from this sample on has.
+  double share_after(std::size_t begin) const {
     Beside beside;
     for (std::size_t n = begin; n < end_ && !beside.enough(min_beside()); ++n) add(beside, measured_, n);
-    return beside.is_small();
+    return beside.share();
   }
 
   double frfs_, samples_per_resolution_ = 0;
