@@ -236,17 +236,23 @@ std::string without_delimiters(std::string_view text) {
   return out;
 }
 
+// `date` with the time of day in the line that follows it, as LabVIEW writes it.
+std::string with_time_of_next_line(const std::string& date, const std::vector<std::string_view>& lines, std::size_t i) {
+  const std::string_view time = i + 1 < lines.size() ? time_in_line(lines[i + 1]) : std::string_view{};
+  const bool clock = !time.empty() && is_digit(time.front()) && time.find(':') != kNowhere;
+  if (!clock || date.find(':') != std::string::npos) return date;
+  return plausible_date(date + " " + std::string(time.substr(0, time.find_first_of(".,;\t"))));
+}
+
 std::string text_date(const std::vector<std::string_view>& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    std::string date = plausible_date(without_delimiters(date_in_line(lines[i])));
-    if (date.empty()) date = plausible_date(calendar_date_in_line(lines[i]));
-    if (date.empty()) continue;
-    // LabVIEW writes the time of day in the next line.
-    const std::string_view time = i + 1 < lines.size() ? time_in_line(lines[i + 1]) : std::string_view{};
-    const bool clock = !time.empty() && is_digit(time.front()) && time.find(':') != std::string_view::npos &&
-                       date.find(':') == std::string::npos;
-    const std::string both = clock ? date + " " + std::string(time.substr(0, time.find_first_of(".,;\t"))) : date;
-    return plausible_date(both);
+    const std::string date = plausible_date(without_delimiters(date_in_line(lines[i])));
+    if (!date.empty()) return with_time_of_next_line(date, lines, i);
+  }
+  // A line "Test date" counts before a line "Timestamp", whose date may be that of an export.
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string date = plausible_date(calendar_date_in_line(lines[i]));
+    if (!date.empty()) return with_time_of_next_line(date, lines, i);
   }
   return "";
 }

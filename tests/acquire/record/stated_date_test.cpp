@@ -67,6 +67,7 @@ TEST(StatedDate, IsACalendarDateAfterOtherWords) {
         "Measurement time: 1.0000 s\n", "Timestamp,1773479525\n", "Kalibrierdatum;14.03.2026\n",
         "Datum der Kalibrierung;14.03.2026\n", "Exportdatum;14.03.2026\n", "Datum;siehe 12.3\n"})
     EXPECT_EQ(stated_date(other), "") << other;
+  EXPECT_EQ(stated_date("Timestamp,2026-03-20\nTest date,2026-03-14\n"), "2026-03-14");
   EXPECT_EQ(stated_date("Kalibrierdatum;01.02.2025\nMessdatum;14.03.2026\n"), "14.03.2026");
 }
 
