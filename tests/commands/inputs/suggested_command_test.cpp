@@ -69,9 +69,9 @@ TEST_F(SuggestedCommand, AsksForTheSensitivityOfVolts) {
                        "NUMBERmV/N\n"));
   EXPECT_THAT(suggestion({"analyze", "x.csv", "--force-sensitivity", "2.2mV/N"}),
               EndsWith(" --force-channel 2 --accel-channel 3 --accel-sensitivity NUMBERmV/g\n"));
-  test::write_bytes(file("setup.json"), R"([{"name": "CH1 (V)", "sensitivity_mV_per_N": 2.2
-}])");
-  EXPECT_THAT(suggestion({"analyze", "x.csv", "--setup", "setup.json"}), Not(HasSubstr("--force-sensitivity")));
+  test::write_bytes(file("setup.json"), R"([{"name": "CH1", "sensitivity": 2.2, "sensitivity_unit": "mV/N"}])");
+  EXPECT_THAT(suggestion({"analyze", "x.csv", "--setup", "setup.json"}),
+              EndsWith(" --force-channel 2 --accel-channel 3 --accel-sensitivity NUMBERmV/g\n"));
 }
 
 // No option turns velocities into accelerations.
