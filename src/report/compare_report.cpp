@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -176,6 +177,17 @@ LineChart compared_frequencies_chart(const std::vector<Comparison>& comparisons)
     }
     chart.curves.push_back(std::move(curve));
     chart.bands.push_back(std::move(band));
+  }
+  if (std::max(std::abs(lowest), std::abs(highest)) < kMinPercentShown) {
+    constexpr double kPpm_per_percent = 1e4;
+    chart.y.label = "difference, ppm (band: ± 1 σ)";
+    for (ChartCurve& curve : chart.curves)
+      for (double& y : curve.y) y *= kPpm_per_percent;
+    for (ChartBand& band : chart.bands)
+      for (std::vector<double>* edge : {&band.low, &band.high})
+        for (double& y : *edge) y *= kPpm_per_percent;
+    lowest *= kPpm_per_percent;
+    highest *= kPpm_per_percent;
   }
   // The default range covers the curves only; this one shows the whole bands.
   constexpr double kMargin = 0.04;

@@ -21,20 +21,51 @@ namespace {
 constexpr std::size_t kMaxNamed = 8;
 constexpr double kSameFrequency = 0.01;  // relative: equal modes of tests of one structure agree far better
 
-// Without a sign where the value rounds to zero.
-std::string signed_percent(double percent) {
-  std::string text = fmt::format("{:+.2f}", percent);
-  return text == "-0.00" || text == "+0.00" ? "0.00" : text;
+// "-0.25 %", "+98 ppm": with a sign, but for a value that rounds to zero.
+std::string signed_difference(double percent) {
+  const double magnitude_ppm = 1e4 * std::abs(percent);
+  if (std::abs(percent) >= kMinPercentShown) return fmt::format("{:+.2f} %", percent);
+  constexpr double kZero_ppm = 0.005;
+  if (magnitude_ppm < kZero_ppm) return "0.00 ppm";
+  const int digits = magnitude_ppm < 1 ? 2 : magnitude_ppm < 10 ? 1 : 0;
+  return fmt::format("{:+.{}f} ppm", 1e4 * percent, digits);
 }
 
-// "-0.25 %, 154 σ": the difference, and how many of its standard deviations it is, where both values have one.
-std::string difference_text(double percent, const std::optional<double>& std_percent, bool both_have_std) {
+// The standard deviation of the difference of two frequencies in percent, where both have one.
+std::optional<double> frequency_std_percent(const Comparison& c, const metrics::ModePair& pair) {
+  const bool both = c.a.modes[pair.a].freq_std_Hz > 0 && c.b.modes[pair.b].freq_std_Hz > 0;
+  const bool known = both && pair.difference_std_percent && *pair.difference_std_percent > 0;
+  return known ? pair.difference_std_percent : std::nullopt;
+}
+
+// Likewise of two damping ratios.
+std::optional<double> damping_std_percent(const Comparison& c, const metrics::ModePair& pair) {
+  const bool both = c.a.modes[pair.a].damping_std > 0 && c.b.modes[pair.b].damping_std > 0;
+  const bool known = both && pair.damping_difference_std_percent && *pair.damping_difference_std_percent > 0;
+  return known ? pair.damping_difference_std_percent : std::nullopt;
+}
+
+// "-0.25 %, 154 σ": the difference, and how many of its standard deviations it is, where it has one.
+std::string difference_text(double percent, const std::optional<double>& std_percent) {
   constexpr double kLargest = 1000;
-  std::string text = signed_percent(percent) + " %";
-  if (!both_have_std || !std_percent || !(*std_percent > 0)) return text;
+  const std::string text = signed_difference(percent);
+  if (!std_percent) return text;
   const double deviations = std::abs(percent) / *std_percent;
   if (deviations >= kLargest) return text + fmt::format(", over {:.0f} σ", kLargest);
   return text + (deviations < 10 ? fmt::format(", {:.1f} σ", deviations) : fmt::format(", {:.0f} σ", deviations));
+}
+
+// A part at another temperature differs by many σ from itself.
+void say_what_deviations_lack(ReportText& text, const std::vector<Comparison>& comparisons) {
+  const bool stated = std::any_of(comparisons.begin(), comparisons.end(), [](const Comparison& c) {
+    return std::any_of(c.modes.pairs.begin(), c.modes.pairs.end(), [&](const metrics::ModePair& pair) {
+      return frequency_std_percent(c, pair) || (pair.damping_difference_percent && damping_std_percent(c, pair));
+    });
+  });
+  if (!stated) return;
+  text.say(
+      "σ holds the noise and the scatter of the hits of each test, but neither temperature nor support nor mounting "
+      "of a sensor: to learn how far equal parts differ, test one part twice, remounted");
 }
 
 std::string frequency_text(const metrics::ComparedMode& mode) {
@@ -91,12 +122,10 @@ std::optional<TextTable> dampings_table(const std::vector<metrics::ComparedDocum
       const bool differs = pair && pair->damping_difference_percent;
       paired = paired || differs;
       cells.push_back(
-          !pair ? "–"
-          : differs
-              ? fmt::format("{} ({})", damping_text(c.b.modes[pair->b]),
-                            difference_text(*pair->damping_difference_percent, pair->damping_difference_std_percent,
-                                            mode.damping_std > 0 && c.b.modes[pair->b].damping_std > 0))
-              : damping_text(c.b.modes[pair->b]));
+          !pair     ? "–"
+          : differs ? fmt::format("{} ({})", damping_text(c.b.modes[pair->b]),
+                                  difference_text(*pair->damping_difference_percent, damping_std_percent(c, *pair)))
+                    : damping_text(c.b.modes[pair->b]));
     }
     cells.emplace_back("");
     if (paired) table.add(std::move(cells));
@@ -264,8 +293,7 @@ ReportText compare_modes_text(const std::vector<metrics::ComparedDocument>& docu
     for (const Comparison& c : comparisons) {
       const metrics::ModePair* pair = pair_at(c, m);
       std::string cell = pair ? fmt::format("{}{} ({}", frequency_text(c.b.modes[pair->b]), other_name(c, *pair),
-                                            difference_text(pair->difference_percent, pair->difference_std_percent,
-                                                            mode.freq_std_Hz > 0 && c.b.modes[pair->b].freq_std_Hz > 0))
+                                            difference_text(pair->difference_percent, frequency_std_percent(c, *pair)))
                               : "–";
       if (pair) cell += pair->mac ? fmt::format(", MAC {:.3f})", pair->mac->value) : ")";
       cells.push_back(std::move(cell));
@@ -295,6 +323,7 @@ ReportText compare_modes_text(const std::vector<metrics::ComparedDocument>& docu
     text += "\ndamping\n";
     text += *dampings;
   }
+  say_what_deviations_lack(text, comparisons);
   return text;
 }
 

@@ -17,9 +17,11 @@ std::string compared_mode_name(const metrics::ComparedDocument& document, std::s
 /// The partner of a mode of the first document, or nullptr.
 const metrics::ModePair* pair_at(const Comparison& comparison, std::size_t mode);
 
+inline constexpr double kMinPercentShown = 0.1;  // smaller differences are shown in ppm
+
 /// A row for each mode of the first document, with its partners in the others; whether they are paired by order or by
-/// frequency, and which of them may be exchanged; the modes without a partner; the damping ratios. `comparisons`: of
-/// each document after the first.
+/// frequency, and which of them may be exchanged; the modes without a partner; the damping ratios; what σ does not
+/// hold, where differences are stated in it. `comparisons`: of each document after the first.
 ReportText compare_modes_text(const std::vector<metrics::ComparedDocument>& documents,
                               const std::vector<Comparison>& comparisons);
 /// A row for each place at which both documents state a deflection.

@@ -341,7 +341,7 @@ TEST_F(AnalyzeResponses, CompareWithADocument) {
   ASSERT_EQ(run_percuss({"analyze", folder_.file("ping.wav"), "-o", folder_.file("a.json"), "--quiet"}).code, 0);
   const auto outcome = run_percuss({"analyze", folder_.file("ping.wav"), "--compare", folder_.file("a.json")});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("(0.00 %, 0.0 σ)"));
+  EXPECT_THAT(outcome.out, HasSubstr("(0.00 ppm, 0.0 σ)"));
 }
 
 TEST_F(AnalyzeResponses, RefuseHitsThatDoNotExist) {

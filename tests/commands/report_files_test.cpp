@@ -145,7 +145,7 @@ TEST_F(AnalyzeFiles, CompareWithOtherDocuments) {
   ASSERT_EQ(run({"analyze", "bat.h5", "-o", "test.json"}).code, 0);
   const auto outcome = run({"analyze", "bat.h5", "--compare", "test.json", "-o", "beside.html"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("(0.00 %"));
+  EXPECT_THAT(outcome.out, HasSubstr("(0.00 ppm"));
   EXPECT_THAT(test::bytes_of(folder_.file("beside.html")), HasSubstr("id=\"comparison\""));
 }
 

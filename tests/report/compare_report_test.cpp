@@ -45,6 +45,32 @@ TEST(CompareReport, DrawsTheWholeBandsOfTheStandardDeviations) {
   EXPECT_GT(chart.y.range->second, 5);
 }
 
+// Equal parts at another temperature differ by many standard deviations, but by little.
+TEST(CompareReport, ShowsSmallDifferencesInPpmAndSaysWhatTheirStdLeavesOut) {
+  const auto document = [](std::vector<metrics::ComparedMode> modes) {
+    return metrics::ComparedDocument{.name = "a", .schema = "", .modes = std::move(modes), .deflections = {}};
+  };
+  const auto first = document({{.freq_Hz = 1000, .freq_std_Hz = 1e-4}, {.freq_Hz = 2000, .freq_std_Hz = 2e-4}});
+  const auto small = document({{.freq_Hz = 999.902, .freq_std_Hz = 1e-4}, {.freq_Hz = 2000.001, .freq_std_Hz = 2e-4}});
+  const CommandReport report = compare_report({first, small});
+  const std::string text = report.text.text(400);
+  EXPECT_THAT(text, HasSubstr("(-98 ppm, 693 σ"));
+  EXPECT_THAT(text, HasSubstr("(+0.50 ppm, 3.5 σ"));
+  for (const std::string& shown : {text, report.text.html()})
+    EXPECT_THAT(shown, HasSubstr("neither temperature nor support nor mounting of a sensor: to learn how far equal "
+                                 "parts differ, test one part twice, remounted"));
+  const LineChart& chart = report.charts.at(0);
+  EXPECT_THAT(chart.y.label, HasSubstr("difference, ppm"));
+  EXPECT_THAT(chart.curves.at(0).y, ElementsAre(testing::DoubleNear(-98, 1e-6), testing::DoubleNear(0.5, 1e-6)));
+  EXPECT_LT(chart.y.range->first, -98);
+
+  const CommandReport large = compare_report({first, document({{.freq_Hz = 1010}, {.freq_Hz = 2000}})});
+  EXPECT_THAT(large.text.text(400), HasSubstr("(+1.00 %"));
+  EXPECT_THAT(large.text.text(400), HasSubstr("(0.00 ppm"));
+  EXPECT_THAT(large.text.text(400), Not(HasSubstr("remounted"))) << "no standard deviations";
+  EXPECT_THAT(large.charts.at(0).y.label, HasSubstr("difference, %"));
+}
+
 // Document a has two modes at four places. The first has the shape of the mode at 101 Hz in b, but for sign and scale;
 // the second is orthogonal to it.
 TEST(CompareReport, ListsTheMacOfAllModesWithCommonPlaces) {

@@ -35,6 +35,7 @@ std::string suggested_options(const acquire::RoleGuess& guess) {
   if (guess.frf_table) return "--frf-kind accelerance";
   std::string options = guess.force.empty() ? "" : "--force-channel " + quoted(guess.force) + " ";
   options += "--accel-channel " + quoted(fmt::format("{}", fmt::join(guess.accel, ",")));
+  if (guess.force_in_volts) options += " --force-sensitivity NUMBERmV/N";
   if (guess.in_volts) options += " --accel-sensitivity NUMBERmV/g";
   if (guess.assumed_rate_Hz > 0) return options + fmt::format(" --fs {:.6g}", guess.assumed_rate_Hz);
   return options + (guess.rate_known ? "" : " --fs HZ");

@@ -81,13 +81,25 @@ bool measures_another_quantity(const CsvColumn& signal) {
          !is_response(unit->quantity);
 }
 
-// Whether a signal is in volts and nothing states its sensitivity, scale or unit.
-bool needs_sensitivity(const CsvColumn& signal, const ReadOptions& options) {
+// Whether a signal is in volts and its set-up states neither its sensitivity nor another unit.
+bool is_plain_voltage(const CsvColumn& signal, const ReadOptions& options) {
   const ChannelSetup* const setup = setup_of(signal, options);
   const auto unit = parse_unit(signal.unit);
-  const bool stated = !options.accel_scale.empty() || !options.accel_sensitivity_V_per_mps2.empty() ||
-                      !options.accel_unit.empty() || (setup != nullptr && (setup->sensitivity_V_per_SI || setup->unit));
-  return unit && unit->quantity == Quantity::voltage && !stated;
+  return unit && unit->quantity == Quantity::voltage &&
+         !(setup != nullptr && (setup->sensitivity_V_per_SI || setup->unit));
+}
+
+// Whether nothing states the sensitivity, scale or unit of an acceleration in volts.
+bool needs_sensitivity(const CsvColumn& signal, const ReadOptions& options) {
+  const bool stated =
+      !options.accel_scale.empty() || !options.accel_sensitivity_V_per_mps2.empty() || !options.accel_unit.empty();
+  return !stated && is_plain_voltage(signal, options);
+}
+
+// Whether nothing states the sensitivity, scale or unit of a force in volts.
+bool force_needs_sensitivity(const CsvColumn& force, const ReadOptions& options) {
+  const bool stated = !options.force_scale.empty() || options.force_sensitivity_V_per_N || !options.force_unit.empty();
+  return !stated && is_plain_voltage(force, options);
 }
 
 // The sampling rate that evenly rising numbers state if they are times in s; 0 if that is not plausible.
@@ -229,7 +241,10 @@ RoleGuess guess_roles(const std::vector<CsvColumn>& signals, const CsvColumns& k
   // One signal, or signals that are all alike, as two channels of a microphone: none of them is the force.
   const bool alike = candidates > 1 && largest < kMaxDissimilarityRatio * smallest && !(force && states_force(*force));
   if (!known.has_force && (found.size() < 2 || alike)) force = nullptr;
-  if (force != nullptr) guess.force = value(*force);
+  if (force != nullptr) {
+    guess.force = value(*force);
+    guess.force_in_volts = force_needs_sensitivity(*force, options);
+  }
   for (const CsvColumn* signal : found) {
     if (signal == force) continue;
     guess.accel.push_back(value(*signal));

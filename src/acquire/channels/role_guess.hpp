@@ -28,8 +28,9 @@ inline constexpr double kMaxHammerDissimilarity = 1e-3;
 struct RoleGuess {
   std::string force;
   std::vector<std::string> accel;
-  bool rate_known = true;  // false: nothing in the file states the sampling rate
-  bool in_volts = false;   // accelerations are in volts, and nothing states their sensitivity
+  bool rate_known = true;       // false: nothing in the file states the sampling rate
+  bool in_volts = false;        // accelerations are in volts, and nothing states their sensitivity
+  bool force_in_volts = false;  // likewise the force
   /// The sampling rate if a column that rises evenly is a time: in ms for a first column without a unit, in s for
   /// another column. 0: no such column.
   double assumed_rate_Hz = 0;

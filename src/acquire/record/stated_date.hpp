@@ -8,9 +8,10 @@
 namespace percuss::acquire {
 
 /// The date of a recording as its file states it; empty where none is stated. Sources: the third line of a
-/// universal data set 58, lines such as "Test date,2026-11-20" at the head of a text, and the chunks bext and ICRD of a
-/// WAV file. Dates of a calibration, an export or a service do not count. The date in the header of a MAT file does not
-/// count either: it says when the file was written. `head` is the beginning of the file. Its bytes are not trusted.
+/// universal data set 58, lines such as "Test date,2026-11-20" or "Messdatum;20.11.2026" at the head of a text, and the
+/// chunks bext and ICRD of a WAV file. Day and month keep their order. Dates of a calibration, an export or a service
+/// do not count. The date in the header of a MAT file does not count either: it says when the file was written. `head`
+/// is the beginning of the file. Its bytes are not trusted.
 std::string stated_date(std::string_view head);
 
 /// The same for a file; empty for a file that cannot be read. `path` "-" states none.

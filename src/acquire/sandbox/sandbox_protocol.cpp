@@ -65,7 +65,8 @@ std::string serialized_ambiguous_columns(const AmbiguousColumns& error) {
   out.put(error.guess.force);
   out.put(static_cast<std::uint64_t>(error.guess.accel.size()));
   for (const std::string& name : error.guess.accel) out.put(name);
-  for (const bool known : {error.guess.rate_known, error.guess.in_volts, error.guess.frf_table, error.roles_known})
+  for (const bool known : {error.guess.rate_known, error.guess.in_volts, error.guess.force_in_volts,
+                           error.guess.frf_table, error.roles_known})
     out.put(static_cast<std::uint64_t>(known));
   out.put(error.guess.assumed_rate_Hz);
   return out.bytes();
@@ -129,7 +130,8 @@ AmbiguousColumns deserialize_ambiguous_columns(const std::string& payload) {
   error.guess.force = in.text();
   const std::size_t accels = in.count(sizeof(std::uint64_t));
   for (std::size_t i = 0; i < accels; ++i) error.guess.accel.push_back(in.text());
-  for (bool* const known : {&error.guess.rate_known, &error.guess.in_volts, &error.guess.frf_table, &error.roles_known})
+  for (bool* const known : {&error.guess.rate_known, &error.guess.in_volts, &error.guess.force_in_volts,
+                            &error.guess.frf_table, &error.roles_known})
     *known = in.get<std::uint64_t>() != 0;
   error.guess.assumed_rate_Hz = in.get<double>();
   return error;

@@ -20,7 +20,7 @@ std::string dates_of(const std::vector<acquire::InputFile>& files) {
     const std::string date = acquire::date_of(files[i]);
     if (!date.empty() && std::find(dates.begin(), dates.end(), date) == dates.end()) dates.push_back(date);
   }
-  if (dates.empty()) return "not stated in the file";
+  if (dates.empty()) return "not found in the file";
   if (dates.size() > kMaxDates) return dates.front() + " to " + dates.back();
   std::string list;
   for (const std::string& date : dates) list += (list.empty() ? "" : "; ") + date;

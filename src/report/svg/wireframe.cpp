@@ -50,13 +50,30 @@ std::vector<std::array<Complex, 3>> movement(const pipeline::Survey& survey, con
   return moves;
 }
 
+// The direction of positive values of a fixed sensor: its stated angle, or its axis. The blows of a roving hammer may
+// be directed against it, so the direction of the point counts only where nothing states the sensor's.
+std::array<double, 3> sensor_direction(const pipeline::Survey& survey, const PlotMesh& mesh,
+                                       const identify::DrivingPoint& at) {
+  const pipeline::Analysis& analysis = survey.analysis();
+  const auto& accel = analysis.record().accel;
+  if (at.channel < accel.size()) {
+    const auto& sensor = accel[at.channel];
+    if (sensor.angle_rad && !analysis.options().classes.angles_assumed)
+      return {0.0, std::cos(*sensor.angle_rad), std::sin(*sensor.angle_rad)};
+    if (sensor.axis) return *sensor.axis;
+  }
+  return response_direction(&mesh, &survey, analysis, at.point, at.channel, false);
+}
+
 std::vector<WireframeSensor> sensors_of(const pipeline::Survey& survey, const PlotMesh& mesh) {
   std::vector<WireframeSensor> out;
   const bool roving = survey.roving() == identify::Roving::sensor;
   const auto add = [&](std::size_t point, std::size_t channel) {
     const auto at = mesh.index.find(static_cast<int>(point));
     if (at == mesh.index.end()) return;
-    out.push_back({at->second, response_direction(&mesh, &survey, survey.analysis(), point, channel, roving)});
+    const auto direction = roving ? response_direction(&mesh, &survey, survey.analysis(), point, channel, true)
+                                  : sensor_direction(survey, mesh, {.point = point, .channel = channel});
+    out.push_back({at->second, direction});
   };
   if (roving) {
     for (const identify::ShapePlace& place : survey.shapes().front().places) add(place.point, place.channel);

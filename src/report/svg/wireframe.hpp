@@ -18,7 +18,7 @@ struct WireframeMode {
   std::vector<std::array<Complex, 3>> moves;  // [points]
 };
 
-/// A sensor at a point, and its axis.
+/// A sensor at a point, and the direction of its positive values.
 struct WireframeSensor {
   std::size_t at = 0;  // index of the point
   std::array<double, 3> direction{};

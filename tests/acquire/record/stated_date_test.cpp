@@ -32,6 +32,45 @@ TEST(StatedDate, IsInTheHeadOfAText) {
   EXPECT_EQ(stated_date("update: 2026\n"), "") << "another word";
 }
 
+TEST(StatedDate, IsInGermanTextsToo) {
+  for (const char* const line :
+       {"Datum;14.03.2026", "Messdatum;14.03.2026", "Aufnahmedatum: 14.03.2026",
+        "\"Aufzeichnungsdatum\",\"14.03.2026\"",
+        "# Pr\xC3\xBC"
+        "fdatum = 14.03.2026",
+        "Pr\xFC"
+        "fdatum\t14.03.2026",
+        "Datum der Messung: 14.03.2026", "DATUM;;14.03.2026;;", "Gemessen am: Samstag, 14.03.2026"})
+    EXPECT_EQ(stated_date("Messung;Rahmen\n" + std::string(line) + "\nZeit [s];Hammer [N]\n0,1;2\n"), "14.03.2026")
+        << line;
+  EXPECT_EQ(stated_date("\xEF\xBB\xBF"
+                        "Datum;14.03.2026\n"),
+            "14.03.2026")
+      << "a byte-order mark";
+  EXPECT_EQ(stated_date("Datum;14.03.2026 09:12:05\nZeit [s];Hammer [N]\n"), "14.03.2026 09:12:05");
+  EXPECT_EQ(stated_date("Datum;14.03.2026\nUhrzeit;09:12:05,250\n"), "14.03.2026 09:12:05");
+  EXPECT_EQ(stated_date("Datum/Uhrzeit;14.03.2026;09:12:05;Temperatur;21,5\n"), "14.03.2026 09:12:05");
+  EXPECT_EQ(stated_date("Startzeit: 3. M\xC3\xA4rz 2026, 09:12 Uhr\n"), "3. Maerz 2026 09:12");
+}
+
+TEST(StatedDate, IsTheTimeOfTheStart) {
+  EXPECT_EQ(stated_date("Start time,2026-03-14T09:12:05.125Z\n"), "2026-03-14 09:12:05Z");
+  EXPECT_EQ(stated_date("start_time: 2026-03-14 09:12:05+01:00\n"), "2026-03-14 09:12:05+01:00");
+  EXPECT_EQ(stated_date("Timestamp;3/14/2026 9:12:05 PM\n"), "3/14/2026 9:12:05 PM");
+  EXPECT_EQ(stated_date("Recorded on: 14 Mar 2026\n"), "14 Mar 2026");
+}
+
+// Names of columns, durations and numbers follow these words, too.
+TEST(StatedDate, IsACalendarDateAfterOtherWords) {
+  for (const char* const other :
+       {"Datum;Uhrzeit;Kanal 1;Kanal 2;Kanal 3\n", "Startzeit;09:12:05\n", "Start time,09:12:05.250\n",
+        "Measurement time: 1.0000 s\n", "Timestamp,1773479525\n", "Kalibrierdatum;14.03.2026\n",
+        "Datum der Kalibrierung;14.03.2026\n", "Exportdatum;14.03.2026\n", "Datum;siehe 12.3\n"})
+    EXPECT_EQ(stated_date(other), "") << other;
+  EXPECT_EQ(stated_date("Timestamp,2026-03-20\nTest date,2026-03-14\n"), "2026-03-14");
+  EXPECT_EQ(stated_date("Kalibrierdatum;01.02.2025\nMessdatum;14.03.2026\n"), "14.03.2026");
+}
+
 TEST(StatedDate, IsThatOfTheTest) {
   EXPECT_EQ(stated_date("Calibration date: 2023-05-01\nDate: 2024-03-12\n"), "2024-03-12");
   EXPECT_EQ(stated_date("Date of measurement: 2024-03-12\n"), "2024-03-12");

@@ -62,9 +62,16 @@ TEST_F(SuggestedCommand, FollowsTheRolesOfASetUp) {
 TEST_F(SuggestedCommand, AsksForTheSensitivityOfVolts) {
   test::write_columns(file("x.csv"), "time_s,CH1 (V),CH2 (V)", {record_.time_s, record_.force_N, record_.accel_mps2});
   EXPECT_THAT(suggestion({"analyze", "x.csv"}),
-              EndsWith(" --force-channel 2 --accel-channel 3 --accel-sensitivity NUMBERmV/g\n"));
+              EndsWith(" --force-channel 2 --accel-channel 3 --force-sensitivity NUMBERmV/N --accel-sensitivity "
+                       "NUMBERmV/g\n"));
   EXPECT_THAT(suggestion({"analyze", "x.csv", "--accel-sensitivity", "100"}),
-              EndsWith(" --accel-sensitivity 100 --force-channel 2 --accel-channel 3\n"));
+              EndsWith(" --accel-sensitivity 100 --force-channel 2 --accel-channel 3 --force-sensitivity "
+                       "NUMBERmV/N\n"));
+  EXPECT_THAT(suggestion({"analyze", "x.csv", "--force-sensitivity", "2.2mV/N"}),
+              EndsWith(" --force-channel 2 --accel-channel 3 --accel-sensitivity NUMBERmV/g\n"));
+  test::write_bytes(file("setup.json"), R"([{"name": "CH1", "sensitivity": 2.2, "sensitivity_unit": "mV/N"}])");
+  EXPECT_THAT(suggestion({"analyze", "x.csv", "--setup", "setup.json"}),
+              EndsWith(" --force-channel 2 --accel-channel 3 --accel-sensitivity NUMBERmV/g\n"));
 }
 
 // No option turns velocities into accelerations.

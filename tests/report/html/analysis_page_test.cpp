@@ -92,7 +92,10 @@ TEST_F(AnalysisPage, IsMadeForPaperToo) {
   EXPECT_THAT(page, HasSubstr("content: counter(page)"));
   EXPECT_THAT(page, HasSubstr("<p class=\"hint\">Drag to zoom"));
   const std::string print = between(page, "@media print", "@page");
-  EXPECT_THAT(print, HasSubstr(".hint { display: none; }"));
+  EXPECT_THAT(print, HasSubstr(".screen, .hint { display: none; }"));
+  EXPECT_THAT(page, HasSubstr("caption, \", while paused\").className = \"screen\""));
+  // An unbroken figure of many modes would begin on a page of its own and leave the one before it nearly empty.
+  EXPECT_THAT(print, HasSubstr("figure[data-plot=\"shapes\"] { break-inside: auto; }"));
   EXPECT_THAT(print, HasSubstr("td:not(.words) { white-space: nowrap; }"));
 }
 

@@ -46,11 +46,11 @@ TEST_F(TestReport, CarriesItsTitleBlock) {
   for (const char* part :
        {"<h1>Test of &lt;a&gt; bat</h1>", "<dd>A &amp; B</dd>", "<dt>Operator</dt><dd>O</dd>", "<dd>S 1</dd>",
         "<p>First line</p>\n<p>&lt;b&gt;second&lt;/b&gt;</p>", "src=\"data:image/svg+xml;base64,",
-        "; img-src data:", "@page { size: letter;", "<dt>Date of the test</dt><dd>not stated in the file</dd>"})
+        "; img-src data:", "@page { size: letter;", "<dt>Date of the test</dt><dd>not found in the file</dd>"})
     EXPECT_THAT(page, HasSubstr(part));
   const std::string dated = page_of(folder_.file("bat.h5"), {"--date", "3 May 2026"});
   EXPECT_THAT(dated, HasSubstr("<dt>Date of the test</dt><dd>3 May 2026</dd>"));
-  EXPECT_THAT(dated, Not(HasSubstr("not stated in the file")));
+  EXPECT_THAT(dated, Not(HasSubstr("not found in the file")));
 }
 
 TEST_F(TestReport, SaysHowItsResultsWereMade) {

@@ -93,7 +93,11 @@ const shapePlots = () => {
       if (state.running) requestAnimationFrame(step);
     };
     const run = () => { setRunning(); draw(); };
-    addElement("figcaption", figure, "Grey: at rest. Colour: displacement along the normal of the structure, + outwards or up, or its phase, as chosen above. Signs, while paused: direction of the displacement. Arrows: sensors. Exaggerated; phase 0° is the largest deflection.");
+    const caption = addElement("figcaption", figure, "Grey: at rest. Colour: displacement along the normal of the structure, + outwards or up, or its phase");
+    addElement("span", caption, ", as chosen above").className = "screen";
+    caption.append(". Signs");
+    addElement("span", caption, ", while paused").className = "screen";
+    caption.append(": direction of the displacement. Arrows: sensors. Exaggerated; phase 0° is the largest deflection.");
     addElement("p", figure, "Drag to rotate, shift-drag to move; click a drawing, then zoom with the wheel or two fingers. Keys: arrows, shift with arrows, +, −, 0, space.").className = "hint";
     // Paper shows the largest deflection.
     resizable.push((widthOf, paper) => {
