@@ -11,6 +11,7 @@
 #include "identify/hits/hit_laws.hpp"
 #include "identify/hits/moved_residues.hpp"
 #include "identify/hits/nonlinearity_modes.hpp"
+#include "identify/hits/shared_scatter.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -172,6 +173,58 @@ void fit_each_hit(const FittedHits& to, const ModeWindow& window, std::vector<Mo
   move_residues(set, window, before, modes);
 }
 
+// The frequencies, or the damping ratios, of the modes in the hits. windows  [modes] index of the mode's window
+std::vector<RelativeHitValues> relative_values(const std::vector<ModeScatter>& scatter, const std::vector<Mode>& modes,
+                                               const std::vector<std::size_t>& windows, bool is_freq) {
+  std::vector<RelativeHitValues> out;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const HitSeries series = scatter[m].series(m, is_freq);
+    const double own = is_freq ? modes[m].pole.freq_Hz : modes[m].pole.damping_ratio;
+    RelativeHitValues& values = out.emplace_back();
+    for (std::size_t i = 0; i < series.hits.size(); ++i) {
+      values.value.push_back(series.value[i] / own);
+      values.std.push_back(series.std[i] / own);
+    }
+    if (is_freq ? scatter[m].freq_differs : scatter[m].damping_differs)
+      values.spread = (is_freq ? scatter[m].freq : scatter[m].damping).spread / own;
+    values.window = windows[m];
+  }
+  return out;
+}
+
+// Gives modes that are too weak to show a scatter the scatter that the other modes share.
+void add_shared_scatter(const std::vector<ModeScatter>& scatter, const std::vector<ModeWindow>& windows,
+                        std::size_t hits, std::vector<Mode>& modes) {
+  std::vector<std::size_t> window_of(modes.size());
+  for (std::size_t w = 0; w < windows.size(); ++w) {
+    for (const std::size_t m : windows[w].modes) window_of[m] = w;
+  }
+  for (const bool is_freq : {true, false}) {
+    const std::vector<RelativeHitValues> values = relative_values(scatter, modes, window_of, is_freq);
+    const SharedScatter shared = shared_scatter(values);
+    if (shared.spread <= 0) continue;
+    const auto scattering = std::count_if(values.begin(), values.end(), [](const auto& of) { return of.spread > 0; });
+    const auto trends = std::count_if(modes.begin(), modes.end(), [&](const Mode& mode) {
+      const auto& force = mode.amplitude;
+      return (is_freq && mode.drift) || (force && (is_freq ? force->freq_follows : force->damping_follows));
+    });
+    const bool follows_law = 2 * trends > scattering;
+    for (std::size_t m = 0; m < modes.size(); ++m) {
+      const bool differs = is_freq ? scatter[m].freq_differs : scatter[m].damping_differs;
+      if (differs || shared.probability[m] <= 0) continue;
+      Mode& mode = modes[m];
+      const double own = is_freq ? mode.pole.freq_Hz : mode.pole.damping_ratio;
+      const double spread = own * shared.spread * std::sqrt(shared.probability[m]);
+      double part = own * std_from_shared_scatter(values[m].std, hits, shared.spread, shared.probability[m]);
+      if (follows_law) part = std::max(part, spread);  // as in explain_scatter(): a trend does not average out
+      StdParts& parts = is_freq ? mode.freq_std_parts_Hz : mode.damping_std_parts;
+      parts.hits = std::max(parts.hits, part);
+      (is_freq ? mode.hit_scatter_Hz : mode.hit_scatter_damping) = spread;
+      (is_freq ? mode.freq_std_Hz : mode.damping_std) = parts.total();
+    }
+  }
+}
+
 // Whether the mode is clear in a hit that does not determine its pole. Near a node, where the mode is not clear, no hit
 // determines a pole.
 bool is_undetermined(const HitFrfs& hits, const std::vector<std::size_t>& residue_of, const Mode& mode,
@@ -239,6 +292,7 @@ void add_hit_scatter(const FrfDataset& set, const HitFrfs& hits, const WindowedH
     }
   }
   explain_scatter(series, peak_N, modes);
+  add_shared_scatter(scatter, linear.windows, hits.points.size(), modes);
 }
 
 std::vector<double> without_imitating_modes(const FrfDataset& set, const HitFrfs& hits, const WindowedHitPoles& linear,

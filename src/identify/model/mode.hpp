@@ -33,9 +33,10 @@ struct Mode {
   double freq_std_Hz = 0;
   double damping_std = 0;
   StdParts freq_std_parts_Hz, damping_std_parts;
-  double hit_scatter_Hz = 0;  // standard deviation of the frequency between hits, beyond the noise; 0: not significant
+  double hit_scatter_Hz = 0;  // standard deviation of the frequency between hits, beyond the noise; 0: none
   double hit_scatter_damping = 0;
-  double hit_scatter_freq_p = 1;  // p-value: noise alone makes the hits differ as much; 1: not significant
+  // p-value: noise alone makes the hits differ as much; 1: not significant, so that a scatter is that of other modes
+  double hit_scatter_freq_p = 1;
   double hit_scatter_damping_p = 1;
   std::optional<AmplitudeTrend> amplitude;  // where the force explains the scatter between the hits
   std::optional<DriftTrend> drift;          // where the order of the hits explains it

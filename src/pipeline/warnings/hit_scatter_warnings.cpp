@@ -78,13 +78,50 @@ double amplitude_rank(const Mode& mode) {
   return mode.hit_scatter_Hz / mode.pole.half_power_Hz() + mode.hit_scatter_damping / mode.pole.damping_ratio + 1e-12;
 }
 
+// The scatter of a mode between the hits, relative to its values. 0 where it is not significant, or not so large that
+// it determines the ±.
+struct RelativeScatter {
+  double freq = 0, damping = 0;
+};
+
+RelativeScatter own_scatter(const Mode& mode) {
+  return {.freq = mode.hit_scatter_freq_p < 1 ? mode.hit_scatter_Hz / mode.pole.freq_Hz : 0,
+          .damping = mode.hit_scatter_damping_p < 1 ? mode.hit_scatter_damping / mode.pole.damping_ratio : 0};
+}
+
+// The scatter that a mode takes from the other modes (identify::shared_scatter), where it determines the ±.
+RelativeScatter scatter_of_others(const Mode& mode) {
+  const bool freq = mode.hit_scatter_freq_p == 1 && mode.freq_std_parts_Hz.hits > mode.freq_std_parts_Hz.noise;
+  const bool damping = mode.hit_scatter_damping_p == 1 && mode.damping_std_parts.hits > mode.damping_std_parts.noise;
+  return {.freq = freq ? mode.hit_scatter_Hz / mode.pole.freq_Hz : 0,
+          .damping = damping ? mode.hit_scatter_damping / mode.pole.damping_ratio : 0};
+}
+
+std::string scatter_text(const RelativeScatter& scatter) {
+  std::string text;
+  if (scatter.freq > 0) text = fmt::format("frequency by {} ppm", significant(kPpm * scatter.freq, 2));
+  if (scatter.damping > 0)
+    text += fmt::format("{}damping by {:.2g} %", text.empty() ? "" : ", ", 100 * scatter.damping);
+  return "(" + text + ")";
+}
+
 double unexplained_rank(const Mode& mode) {
   if (mode.amplitude || mode.drift) return 0;
-  const double freq = mode.freq_std_parts_Hz.hits > kMuchScatter * mode.freq_std_parts_Hz.noise
-                          ? mode.hit_scatter_Hz / mode.pole.freq_Hz
-                          : 0;
+  const RelativeScatter own = own_scatter(mode);
+  const double freq = mode.freq_std_parts_Hz.hits > kMuchScatter * mode.freq_std_parts_Hz.noise ? own.freq : 0;
   const bool damping = mode.damping_std_parts.hits > kMuchScatter * mode.damping_std_parts.noise;
-  return freq + (damping ? mode.hit_scatter_damping : 0);
+  return freq + (damping ? own.damping * mode.pole.damping_ratio : 0);
+}
+
+// A sentence about the modes whose ± includes the scatter of the others; empty where there are none.
+std::string others_sentence(const std::vector<Mode>& modes) {
+  const auto rank = [](const Mode& mode) {
+    const RelativeScatter of_others = scatter_of_others(mode);
+    return of_others.freq + of_others.damping;
+  };
+  const std::string list =
+      named_modes(modes, rank, [](const Mode& mode) { return scatter_text(scatter_of_others(mode)); });
+  return list.empty() ? list : ". Modes too weak to show such a scatter are assumed to have it as well: " + list;
 }
 
 // The probability that noise alone makes the hits differ as much, in as many modes without a trend. Each mode has two
@@ -163,33 +200,31 @@ double much_misfit(const Mode& mode) {
 
 std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes, std::optional<double> residual_end_Hz) {
   std::vector<Warning> out;
-  const std::string amplitude = named_modes(modes, amplitude_rank, amplitude_text);
+  const std::string amplitude = named_modes(modes, amplitude_rank, amplitude_text), drift = drift_text(modes);
+  std::string unexplained =
+      named_modes(modes, unexplained_rank, [](const Mode& mode) { return scatter_text(own_scatter(mode)); });
+  if (!(chance_of_scatter(modes) < kMaxChance)) unexplained.clear();
+  // Said once, in the last of the three warnings.
+  const std::string others = others_sentence(modes);
+  const bool of_drift = unexplained.empty(), of_amplitude = of_drift && drift.empty();
   if (!amplitude.empty()) {
     out.push_back(with_remedy({"nonlinear", "nonlinear: these modes depend on the strength of the hits: " + amplitude +
                                                 ". Each value is a mean over the hits, and its ± includes their "
-                                                "scatter"},
+                                                "scatter" +
+                                                (of_amplitude ? others : "")},
                               "quote the force with each value, or hit with equal strength"));
   }
-  if (const std::string drift = drift_text(modes); !drift.empty()) {
-    out.push_back(with_remedy({"drifting", "frequencies drift from hit to hit, in the order of the test: " + drift +
-                                               ". Possible causes: temperature, a support that settles, damage"},
-                              "wait until temperature and support are steady, and repeat the test"));
+  if (!drift.empty()) {
+    out.push_back(with_remedy(
+        {"drifting", "frequencies drift from hit to hit, in the order of the test: " + drift +
+                         (of_drift ? others : "") + ". Possible causes: temperature, a support that settles, damage"},
+        "wait until temperature and support are steady, and repeat the test"));
   }
-  const std::string rest = named_modes(modes, unexplained_rank, [](const Mode& mode) {
-    std::string text;
-    if (mode.hit_scatter_Hz > 0)
-      text = fmt::format("frequency by {} ppm", significant(kPpm * mode.hit_scatter_Hz / mode.pole.freq_Hz, 2));
-    if (mode.hit_scatter_damping > 0) {
-      text += fmt::format("{}damping by {:.2g} %", text.empty() ? "" : ", ",
-                          100 * mode.hit_scatter_damping / mode.pole.damping_ratio);
-    }
-    return "(" + text + ")";
-  });
-  if (!rest.empty() && chance_of_scatter(modes) < kMaxChance) {
+  if (!unexplained.empty()) {
     out.push_back(with_remedy({"hits_differ",
                                "modes change from hit to hit by more than the noise explains, and neither the force "
                                "nor the order of the hits explains it: " +
-                                   rest +
+                                   unexplained + others +
                                    ". Each ± includes this scatter. Possible causes: the point or the direction of "
                                    "the hits, a second contact of the hammer, a loose sensor or support"},
                               "fasten sensors and support, and strike one point in one direction"));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "support/modal_frfs.hpp"
@@ -113,6 +114,31 @@ TEST(HitScatter, DoesNotMoveAPoleByTheMisfitOfThePoints) {
   add_hit_scatter(hits.set, hits.frfs, windowed_hit_poles(hits.set, hits.frfs, modes), peak_N, modes);
   EXPECT_GT(modes[0].freq_std_parts_Hz.hits, 0);
   EXPECT_NEAR(modes[0].pole.freq_Hz, kWeak.freq_Hz, 2e-5 * kWeak.freq_Hz) << "the misfit moves single points by 1e-3";
+}
+
+// All modes of a hit shift together, as at another temperature. One mode is too weak to show it. Another stays as it
+// is.
+TEST(HitScatter, GivesAWeakModeTheScatterThatTheOthersShare) {
+  constexpr std::array kOff{1.2e-5, -0.4e-5, -1.5e-5, 0.9e-5, -0.2e-5};  // standard deviation 1.1e-5
+  constexpr std::array kFreq_Hz{220.0, 270.0, 320.0, 370.0, 430.0};
+  constexpr std::size_t kWeakest = 2, kSteady = 3;
+  const SingleHits hits(1, kOff.size(), kNoise, [&](FrfDataset& one, std::size_t, std::size_t hit) {
+    for (std::size_t m = 0; m < kFreq_Hz.size(); ++m) {
+      const double factor = 1 + (m == kSteady ? 0 : kOff.at(hit));
+      test::add_mode(one, 0, {.freq_Hz = kFreq_Hz.at(m) * factor, .damping_ratio = 0.005}, m == kWeakest ? 3e-4 : 1);
+    }
+  });
+  std::vector<Pole> poles;
+  for (const double freq_Hz : kFreq_Hz) poles.push_back({.freq_Hz = freq_Hz, .damping_ratio = 0.005});
+  std::vector<Mode> modes = hits.modes(poles);
+  add_hit_scatter(hits.set, hits.frfs, windowed_hit_poles(hits.set, hits.frfs, modes), {99, 103, 101, 98, 100}, modes);
+  ASSERT_LT(modes[0].hit_scatter_freq_p, 1);
+  const double shared = modes[0].freq_std_parts_Hz.hits / kFreq_Hz[0];
+  EXPECT_GT(shared, 0.4e-5);
+  EXPECT_EQ(modes[kWeakest].hit_scatter_freq_p, 1) << "not significant";
+  EXPECT_NEAR(modes[kWeakest].freq_std_parts_Hz.hits, shared * kFreq_Hz[kWeakest], 0.5 * shared * kFreq_Hz[kWeakest]);
+  EXPECT_EQ(modes[kWeakest].freq_std_Hz, modes[kWeakest].freq_std_parts_Hz.total());
+  EXPECT_EQ(modes[kSteady].freq_std_parts_Hz.hits, 0) << "its hits show that it does not scatter";
 }
 
 }  // namespace percuss::identify::hit_scatter_test

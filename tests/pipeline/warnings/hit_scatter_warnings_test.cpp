@@ -61,6 +61,28 @@ TEST(HitScatterWarnings, NameNoScatterThatChanceExplainsInSoManyValues) {
   EXPECT_EQ(scatter_of(2, 1e-3).at(0).code, "hits_differ") << "two values at once are no chance";
 }
 
+TEST(HitScatterWarnings, NameTheModesThatTakeTheScatterOfTheOthers) {
+  std::vector<identify::Mode> modes(3);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    modes[m].pole = {.freq_Hz = 100 + 50 * static_cast<double>(m), .damping_ratio = 0.01};
+    modes[m].freq_std_parts_Hz = {.noise = 1e-3, .hits = 1e-2, .misfit = 0};
+    modes[m].hit_scatter_Hz = 2e-4 * modes[m].pole.freq_Hz;
+    if (m < 2) modes[m].hit_scatter_freq_p = 1e-6;
+  }
+  const std::string others =
+      "Modes too weak to show such a scatter are assumed to have it as well: 200 Hz (frequency by";
+  EXPECT_THAT(hit_scatter_warnings(modes).at(0).message,
+              testing::AllOf(testing::HasSubstr("explains it: 100 Hz (frequency by 200 ppm); 150 Hz (frequency by 200 "
+                                                "ppm). Modes too weak"),
+                             testing::HasSubstr(others)));
+  for (std::size_t m = 0; m < 2; ++m) modes[m].drift = identify::DriftTrend{.freq_change_per_hit = -1e-5, .std = 1e-8};
+  const std::vector<Warning> drifting = hit_scatter_warnings(modes);
+  ASSERT_EQ(drifting.size(), 1U);
+  EXPECT_THAT(drifting[0].message, testing::HasSubstr(others));
+  modes[2].freq_std_parts_Hz.hits = 1e-4;
+  EXPECT_THAT(hit_scatter_warnings(modes).at(0).message, testing::Not(testing::HasSubstr("too weak"))) << "no matter";
+}
+
 std::string misfit_of(std::optional<double> residual_end_Hz) {
   identify::Mode mode;
   mode.pole = {.freq_Hz = 743.2, .damping_ratio = 0.0168};
