@@ -29,6 +29,7 @@
 #include "pipeline/stages/hit_modes.hpp"
 #include "pipeline/stages/hit_residues.hpp"
 #include "pipeline/stages/mode_stages.hpp"
+#include "pipeline/warnings/channel_mode_warnings.hpp"
 #include "pipeline/warnings/point_names.hpp"
 #include "pipeline/warnings/warning.hpp"
 
@@ -104,6 +105,9 @@ class Analysis {
   /// Computes modes() and frfs() in the order that takes less time.
   void compute_modes_and_frfs() const;
   const std::vector<identify::ModeClassification>& classifications() const;
+  /// The accelerometers of record(), without the angles of those that tell no mode type, because they are dead
+  /// (silences()). Computes modes().
+  std::vector<acquire::SignalInfo> typing_accel() const;
   /// Whether modes() are all modes that were found, so that their orders can be counted. False if the user chose the
   /// modes.
   bool modes_are_complete() const;
@@ -168,6 +172,7 @@ class Analysis {
   void keep_started_modes(std::vector<identify::Mode>& modes) const;
   std::vector<AnalysedHit> compute_hits() const;
   const std::vector<identify::ModeClassification>& types() const;
+  std::vector<Silence> silent_channels() const;  // silences() of modes()
   const std::vector<Eigen::VectorXcd>& modal_sums() const;
   struct HitEvidence;  // of warnings()
   HitEvidence hit_evidence() const;

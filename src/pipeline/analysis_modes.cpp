@@ -171,14 +171,30 @@ std::vector<identify::Mode> Analysis::fitted_modes() const {
   return all;
 }
 
+std::vector<Silence> Analysis::silent_channels() const {
+  const std::vector<identify::Mode>& found = modes();
+  const auto motions =
+      given_frfs() == nullptr ? channel_motions(record(), hits(), responses()) : std::vector<ChannelMotion>{};
+  return silences(record(), band_modes_.empty() ? found : band_modes_, motions);
+}
+
+std::vector<acquire::SignalInfo> Analysis::typing_accel() const {
+  std::vector<acquire::SignalInfo> out = record().accel;
+  const std::vector<Silence> silent = silent_channels();
+  for (std::size_t c = 0; c < out.size(); ++c) {
+    if (tells_no_type(silent[c])) out[c].angle_rad.reset();
+  }
+  return out;
+}
+
 const std::vector<identify::ModeClassification>& Analysis::types() const {
   return within_budget(budget_, types_, [&] {
     const std::vector<identify::Mode>& found = modes();
     const identify::FrfDataset& set = fitted_frfs();
+    const std::vector<acquire::SignalInfo> accel = typing_accel();
     return trace_.run("classes", [&] {
-      if (band_modes_.empty()) return classify_modes(found, set, record().accel, options_.classes);
-      return classifications_of_part(classify_modes(band_modes_, set, record().accel, options_.classes), band_modes_,
-                                     found);
+      if (band_modes_.empty()) return classify_modes(found, set, accel, options_.classes);
+      return classifications_of_part(classify_modes(band_modes_, set, accel, options_.classes), band_modes_, found);
     });
   });
 }
@@ -196,7 +212,7 @@ const std::vector<identify::ModeClassification>& Analysis::classifications() con
       if (!options_.modes.start_Hz.empty()) mode.order = 0;  // lower modes need not be among the stated ones
       if (mode.order > 0) mode.order += mode.type == identify::ModeType::hoop ? lower.hoop : lower.bending;
     }
-    const auto sensors = sensor_pair(record().accel);
+    const auto sensors = sensor_pair(typing_accel());
     // The lowest hoop mode of the barrel is below the band.
     if (lower.hoop > 0 && sensors) {
       const auto ratios = identify::three_over_bending(modes(), *sensors, options_.classes);

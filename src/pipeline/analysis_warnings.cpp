@@ -8,6 +8,7 @@
 
 #include "pipeline/analysis.hpp"
 #include "pipeline/hits/hit_noise.hpp"
+#include "pipeline/stages/mode_stages.hpp"
 #include "pipeline/warnings/capture_warnings.hpp"
 #include "pipeline/warnings/channel_mode_warnings.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
@@ -31,14 +32,19 @@ namespace percuss::pipeline {
 namespace {
 
 // The sensors whose ratios gave the modes their types; nothing if no mode has a ratio.
-std::optional<identify::SensorPair> tube_sensors(const acquire::Record& record,
+std::optional<identify::SensorPair> tube_sensors(const std::vector<acquire::SignalInfo>& accel,
                                                  const std::vector<identify::ModeClassification>& classifications) {
   const bool typed = std::any_of(classifications.begin(), classifications.end(),
                                  [](const identify::ModeClassification& mode) { return mode.ratio.has_value(); });
-  if (!typed) return std::nullopt;
-  std::vector<std::optional<double>> angles_rad;
-  for (const acquire::SignalInfo& accel : record.accel) angles_rad.push_back(accel.angle_rad);
-  return identify::pair_of_sensors(angles_rad);
+  return typed ? sensor_pair(accel) : std::nullopt;
+}
+
+// [channels] the two sensors that type the modes, if all respond.
+std::vector<bool> needed_for_types(const acquire::Record& record, const identify::ClassifyOptions& options) {
+  std::vector<bool> out(record.accel.size());
+  const auto sensors = sensor_pair(record.accel);
+  if (sensors && options.object != identify::ObjectKind::other) out[sensors->first] = out[sensors->second] = true;
+  return out;
 }
 
 void append(std::vector<Warning>& out, std::vector<Warning> more) {
@@ -106,7 +112,9 @@ std::vector<Warning> Analysis::warnings_of_hits(const HitEvidence& evidence) con
 std::vector<Warning> Analysis::warnings_of_channels(const HitEvidence& evidence) const {
   const std::vector<AnalysedHit>& graded = evidence.graded;
   const bool force_known = given_frfs() == nullptr;
-  std::vector<Warning> out = channel_warnings(record(), graded);
+  const std::vector<bool> types_need =
+      modes_.ready() ? needed_for_types(record(), options_.classes) : std::vector<bool>{};
+  std::vector<Warning> out = channel_warnings(record(), graded, types_need);
   append(out, silent_point_warnings(record(), evidence.silent_points, point_names()));
   append(out, evidence.silent_channels);
   if (force_known && read_spectra_.ready() && hits_.ready())
@@ -120,10 +128,9 @@ std::vector<Warning> Analysis::warnings_of_channels(const HitEvidence& evidence)
   if (modes_.ready()) {
     const SensorDirections sensors{
         .angles_assumed = options_.classes.angles_assumed,
-        .tube = classifications_.ready() ? tube_sensors(record(), classifications()) : std::nullopt};
-    const std::vector<bool> responding =
-        force_known && read_spectra_.ready() ? responding_channels(record(), graded, responses()) : std::vector<bool>{};
-    append(out, channel_mode_warnings(record(), modes(), channel_findings(), force_known, sensors, responding));
+        .tube = classifications_.ready() ? tube_sensors(typing_accel(), classifications()) : std::nullopt};
+    append(out, channel_mode_warnings(record(), modes(), channel_findings(), force_known, sensors, silent_channels(),
+                                      types_need));
   }
   return out;
 }
@@ -160,9 +167,13 @@ std::vector<Warning> Analysis::warnings() const {
   append(out, warnings_of_channels(evidence));
   if (modes_.ready()) append(out, warnings_of_modes(evidence));
   if (classifications_.ready()) {
-    append(out, object_warnings(classifications(), options_.classes));
+    // What the ratios say against the test, they say by sensors that respond.
+    acquire::Record typed = record();
+    typed.accel = typing_accel();
+    if (!sensor_pair(record().accel) || sensor_pair(typed.accel))
+      append(out, object_warnings(classifications(), options_.classes));
     std::vector<Warning> of_tube =
-        tube_warnings(record(), modes(), classifications(), options_.classes, modes_are_complete());
+        tube_warnings(typed, modes(), classifications(), options_.classes, modes_are_complete());
     // A unit that differs explains the implausible motion.
     if (has_code(of_tube, "units_differ")) remove_code(out, "implausible_motion");
     append(out, std::move(of_tube));

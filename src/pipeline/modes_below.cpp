@@ -48,7 +48,7 @@ const std::vector<identify::Mode>& Analysis::modes_below() const {
 std::vector<identify::ModeClassification> Analysis::types_below() const {
   identify::ClassifyOptions classes = options_.classes;
   classes.object = identify::ObjectKind::tube;
-  return classify_modes(modes_below(), fitted_frfs(), record().accel, classes);
+  return classify_modes(modes_below(), fitted_frfs(), typing_accel(), classes);
 }
 
 identify::LowerTubeModes Analysis::modes_of_lower_orders() const {

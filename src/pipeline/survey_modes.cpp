@@ -77,7 +77,7 @@ SurveyModes survey_modes(const Analysis& analysis, identify::Roving roving,
 std::vector<identify::ModeClassification> classify_by_sensors(const Analysis& analysis, const SurveyModes& survey) {
   if (survey.pairs.empty()) return analysis.classifications();
   std::vector<identify::ModeClassification> out =
-      classify_modes(survey.modes, analysis.fitted_frfs(), analysis.record().accel, analysis.options().classes);
+      classify_modes(survey.modes, analysis.fitted_frfs(), analysis.typing_accel(), analysis.options().classes);
   const identify::LowerOrders& lower = analysis.lower_orders();
   for (identify::ModeClassification& mode : out) {
     if (!analysis.modes_are_complete()) mode.order = 0;

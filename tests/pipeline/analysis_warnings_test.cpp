@@ -7,6 +7,7 @@
 #include <span>
 
 #include "acquire/channels/stored_frfs.hpp"
+#include "core/units.hpp"
 #include "pipeline/analysis.hpp"
 #include "support/changed_record.hpp"
 #include "support/force_row.hpp"
@@ -19,6 +20,7 @@ namespace percuss::pipeline::warnings_test {
 
 using testing::AllOf;
 using testing::Contains;
+using testing::Each;
 using testing::ElementsAre;
 using testing::Field;
 using testing::HasSubstr;
@@ -84,6 +86,52 @@ TEST(Warnings, NameAChannelThatShowsNoMode) {
       });
   EXPECT_THAT(warnings_of(record), Contains(HasSubstr("dead_channel: accel 2 shows none of the ")));
   EXPECT_THAT(warnings_of(good), Not(Contains(HasSubstr("shows none"))));
+}
+
+/// The record of a tube whose second channel holds hum and noise, and no motion.
+acquire::Record with_open_cable(double hum_mps2, double noise_mps2, std::size_t seed) {
+  synth::SynthSpec spec = test::bending_and_hoop_spec();
+  spec.modes.push_back({.freq_Hz = 700, .damping_ratio = 0.01, .order = 2, .amplitude_per_sqrt_kg = 1.7});
+  const double turn = kTwoPi * 50 / spec.fs_Hz;
+  return test::with_changed_accel(synth::synthesise(spec).record,
+                                  [=](std::size_t row, std::size_t channel, std::vector<double>& x) {
+                                    if (channel != 1) return;
+                                    const double phase = static_cast<double>(7 * row + 3 * seed);
+                                    for (std::size_t n = 0; n < x.size(); ++n)
+                                      x[n] = hum_mps2 * std::sin(turn * static_cast<double>(n) + phase);
+                                    test::add_noise(x, noise_mps2, 10 * seed + row);
+                                  });
+}
+
+std::vector<identify::ModeType> types_of(const Analysis& analysis) {
+  std::vector<identify::ModeType> out;
+  for (const identify::ModeClassification& mode : analysis.classifications()) out.push_back(mode.type);
+  return out;
+}
+
+// Hum has no zero mean over the short time before a hit, and is far larger than the noise that remains without it.
+TEST(Warnings, NameAnOpenCableThatHums) {
+  for (const double hum_mps2 : {3.0, 10.0}) {
+    for (const std::size_t seed : {1U, 2U, 3U}) {
+      const Analysis analysis(with_open_cable(hum_mps2, 0.05, seed), band());
+      EXPECT_THAT(types_of(analysis), Each(identify::ModeType::unknown));
+      EXPECT_THAT(test::lines_of_messages(analysis.warnings()),
+                  AllOf(Contains(AllOf(HasSubstr("dead_channel: accel 2 shows none of the "),
+                                       HasSubstr("Mode types, which would rest on it, are not stated"))),
+                        Not(Contains(HasSubstr("unexcited_channel"))), Not(Contains(HasSubstr("zero_shift")))))
+          << hum_mps2 << " " << seed;
+    }
+  }
+}
+
+TEST(Warnings, StateNoTypesThatRestOnAConstantChannel) {
+  const acquire::Record good = synth::synthesise(test::bending_and_hoop_spec()).record;
+  const Analysis analysis(with_dead(good, 1, 0, [](std::size_t) { return true; }), band());
+  EXPECT_THAT(types_of(analysis), AllOf(Not(IsEmpty()), Each(identify::ModeType::unknown)));
+  EXPECT_THAT(test::lines_of_messages(analysis.warnings()),
+              Contains(AllOf(HasSubstr("dead_channel: accel 2 is constant in every accepted hit"),
+                             HasSubstr("Mode types, which would rest on it, are not stated"))));
+  EXPECT_THAT(types_of(Analysis(good, band())), Not(Contains(identify::ModeType::unknown)));
 }
 
 // A sensor across the blow sees no bending, but rings with the hoop mode above the band: it is not dead.

@@ -9,6 +9,7 @@
 #include "acquire/channels/named_channels.hpp"
 #include "acquire/channels/signal_overrides.hpp"
 #include "acquire/record/note_codes.hpp"
+#include "acquire/record/note_on_rounding.hpp"
 #include "acquire/record/sample_limits.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
@@ -32,8 +33,13 @@ void refuse_inapplicable_options(const ReadOptions& options, const std::string& 
 // Takes the spacing that the user states, within the limits of the file's frequencies.
 void apply_spacing(const StoredFrfs& stored, const std::optional<double>& df_Hz, const std::string& where,
                    FrfRecord& record) {
-  if (!df_Hz && !stored.spacing_note.empty())
-    record.notes.emplace_back(stored.spacing_note, std::vector<OptionId>{"df"});
+  if (!df_Hz && !stored.spacing_note.empty()) {
+    const double df_now_Hz = record.lines.df_Hz();
+    const double error_Hz =
+        stored.spacing ? std::max(df_now_Hz - stored.spacing->lowest_Hz, stored.spacing->highest_Hz - df_now_Hz)
+                       : df_now_Hz;
+    record.notes.push_back(note_on_rounding(stored.spacing_note, error_Hz / df_now_Hz, "df"));
+  }
   if (!df_Hz || !stored.spacing) return;
   if (!(*df_Hz >= stored.spacing->lowest_Hz && *df_Hz <= stored.spacing->highest_Hz)) {
     throw InputError(

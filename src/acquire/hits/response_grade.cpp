@@ -25,6 +25,8 @@ constexpr double kMinOnsetVelocity = 0.25;  // of the largest velocity during tw
 // Of the largest velocity, in the opposite direction and earlier. Above this limit the modes cancel at first, and noise
 // decides the sign.
 constexpr double kMaxOppositeVelocity = 0.05;
+// Of the largest smoothed acceleration during two pulses, in the opposite direction and earlier.
+constexpr double kMaxOppositeMotion = 0.03;
 constexpr double kRingingBefore = 4;    // times the level at the end
 constexpr double kNegligible = 0.0025;  // of the response: the same −52 dB
 constexpr std::size_t kEnvelopeWindows = 64;
@@ -104,23 +106,43 @@ void grade_before(ResponseGrade& grade, const Hit& hit, std::span<const double> 
 // delays some of them by tens of milliseconds.
 constexpr double kMaxTravelPulses = 5, kMaxTravel_s = 0.05;
 
+// Sample n without ringing of the anti-alias filter, which is near half the sampling rate.
+double smoothed(std::span<const double> accel, std::size_t n, double rest) {
+  if (n == 0 || n + 1 >= accel.size()) return 0;
+  return 0.25 * (accel[n - 1] + 2 * accel[n] + accel[n + 1]) - rest;
+}
+
+struct InitialMotion {
+  int sign = 0;            // 0: unknown
+  std::size_t sample = 0;  // at which the velocity shows the sign
+};
+
 // The sign of the velocity once it reaches kMinOnsetVelocity of its largest value. The acceleration itself may be
 // ringing of the anti-alias filter, which has both signs and leaves no velocity.
-int initial_polarity(std::span<const double> accel, double rest, double noise) {
+InitialMotion initial_motion(std::span<const double> accel, double rest, double noise) {
   std::vector<double> velocity(accel.size());
   double sum = 0, largest = 0;
   for (std::size_t n = 0; n < accel.size(); ++n) {
     velocity[n] = sum += accel[n] - rest;
     largest = std::max(largest, std::abs(sum));
   }
-  if (largest < kOnsetNoise * noise * std::sqrt(static_cast<double>(accel.size()))) return 0;
-  if (!(largest > 0)) return 0;
+  if (largest < kOnsetNoise * noise * std::sqrt(static_cast<double>(accel.size()))) return {};
+  if (!(largest > 0)) return {};
   const auto first = std::find_if(velocity.begin(), velocity.end(),
                                   [&](double v) { return std::abs(v) >= kMinOnsetVelocity * largest; });
   const int sign = *first > 0 ? 1 : -1;
   const bool other_way =
       std::any_of(velocity.begin(), first, [&](double v) { return -sign * v > kMaxOppositeVelocity * largest; });
-  return other_way ? 0 : sign;
+  return {.sign = other_way ? 0 : sign, .sample = static_cast<std::size_t>(first - velocity.begin())};
+}
+
+// Whether samples first … end − 1 clearly move in the direction −sign before the motion of this sign, which is larger.
+bool moves_other_way(std::span<const double> accel, std::size_t first, std::size_t end, int sign, double limit,
+                     double rest) {
+  for (std::size_t n = first; n < end; ++n) {
+    if (-sign * smoothed(accel, n, rest) > limit) return true;
+  }
+  return false;
 }
 
 void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> accel, const Extremes& extremes,
@@ -130,15 +152,21 @@ void grade_onset(ResponseGrade& grade, const Hit& hit, std::span<const double> a
   const double level = std::max(kOnsetNoise * noise, kOnsetFraction * largest);
   if (!(level > 0)) return;
   const double onset = hit.onset_s * fs_Hz - static_cast<double>(hit.first);
-  auto i = static_cast<std::size_t>(std::max(0.0, std::floor(onset) - 2));
+  const auto start = static_cast<std::size_t>(std::max(0.0, std::floor(onset) - 2));
+  auto i = start;
   while (i < accel.size() && std::abs(accel[i] - rest) < level) ++i;
   // A later motion is noise, or belongs to another event.
   const double latest = onset + std::max(kMaxTravelPulses * hit.pulse_s, kMaxTravel_s) * fs_Hz;
   if (static_cast<double>(i) > latest + static_cast<double>(kMinPush)) return;
   const auto push = static_cast<std::size_t>(std::ceil(2 * hit.pulse_s * fs_Hz));
   const std::size_t end = std::min(accel.size(), i + std::max(kMinPush, push));
-  grade.polarity = initial_polarity(accel.subspan(i, end - i), rest, noise);
-  if (grade.polarity == 0) return;
+  const InitialMotion motion = initial_motion(accel.subspan(i, end - i), rest, noise);
+  double in_push = 0;
+  for (std::size_t n = i; n < end; ++n) in_push = std::max(in_push, std::abs(smoothed(accel, n, rest)));
+  const std::size_t earliest = std::max(start, i - std::min(i, kMinPush));  // the first motion may begin below `level`
+  const double limit = std::max(kOnsetNoise * noise, kMaxOppositeMotion * in_push);
+  if (motion.sign == 0 || moves_other_way(accel, earliest, i + motion.sample, motion.sign, limit, rest)) return;
+  grade.polarity = motion.sign;
   while (i < end && grade.polarity * (accel[i] - rest) < level) ++i;  // skips ringing of the other sign
   grade.delay_s = std::max(0.0, (static_cast<double>(i) - onset) / fs_Hz);
 }

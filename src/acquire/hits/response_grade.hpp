@@ -22,7 +22,7 @@ struct ResponseGrade {
   bool dead = false;                // all samples are equal
   double coarse_step = 0;           // resolution over the largest response; 0: fine, or hidden by noise
   std::optional<double> delay_s;    // from force onset to response onset, not negative, to one sample
-  int polarity = 0;                 // sign of the first motion; 0: unknown
+  int polarity = 0;                 // sign of the first motion; 0: unknown, or a larger motion the other way follows it
 };
 
 /// Grades the samples of one channel, which begin at the first sample of the hit.

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -19,6 +20,10 @@ struct StampedRate {
   double lowest_Hz = 0, highest_Hz = 0;  // limits from the rounding of the stamps
   std::string note;  // says that the stamps are rounded; empty if fs_Hz differs from (1) by at most 1e-6 of it
 };
+/// The largest distance of fs_Hz from a rate within the limits, relative to fs_Hz.
+inline double largest_error_of(const StampedRate& rate) {
+  return std::max(rate.fs_Hz - rate.lowest_Hz, rate.highest_Hz - rate.fs_Hz) / rate.fs_Hz;
+}
 
 enum class StampProblemKind {
   uneven,        // uneven, too coarse or too few stamps

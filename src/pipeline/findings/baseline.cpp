@@ -12,8 +12,10 @@ namespace {
 constexpr std::size_t kMinQuiet = 16;  // samples
 constexpr std::size_t kRowShare = 16;  // length of a row over the length of a window
 constexpr std::size_t kStepWindows = 4;
-constexpr double kClearChange = 5;  // standard deviations of the mean before the hit, which few samples determine
-constexpr double kMaxOff = 0.15;    // largest distance of a window's mean from the fitted step or slope, over its size
+constexpr double kClearChange = 5;        // standard deviations of the mean before the hit, which few samples determine
+constexpr std::size_t kMotionBlocks = 8;  // of the samples before a hit
+constexpr double kClearMotion = 2;        // standard deviations of a mean of white noise
+constexpr double kMaxOff = 0.15;  // largest distance of a window's mean from the fitted step or slope, over its size
 
 double mean_level(std::span<const double> x) {
   return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())).mean();
@@ -80,6 +82,19 @@ std::optional<BaselineChange> find_baseline_change(const RestLevels& levels, std
   if (!levels.before || levels.window == 0 || !(largest > 0)) return std::nullopt;
   if (auto step = find_step(levels, largest, fs_Hz)) return step;
   return find_slope(levels, samples, largest);
+}
+
+bool exceeds_motion_before(const BaselineChange& change, std::span<const double> x, std::size_t quiet) {
+  const std::size_t block = std::min(quiet, x.size()) / kMotionBlocks;
+  if (block < 2) return true;
+  std::array<double, kMotionBlocks> means{};
+  for (std::size_t b = 0; b < kMotionBlocks; ++b) means[b] = mean_level(x.subspan(b * block, block));
+  double white = 0;  // within the blocks, where slow motion changes little
+  for (std::size_t b = 0; b < kMotionBlocks; ++b)
+    white += std::pow(rms_about_mean(x.subspan(b * block, block)), 2) / static_cast<double>(kMotionBlocks);
+  const double slow = rms_about_mean(means);
+  if (slow < kClearMotion * std::sqrt(white / static_cast<double>(block))) return true;
+  return std::abs(change.size) > kClearChange * std::max(slow, rms_about_mean(x.last(x.size() / kRowShare)));
 }
 
 void subtract_baseline(const BaselineChange& change, std::size_t hit_sample, double fs_Hz, std::span<double> x) {

@@ -33,6 +33,10 @@ inline constexpr double kMinBaselineChange = 0.02;  // of the largest response
 std::optional<BaselineChange> find_baseline_change(const RestLevels& levels, std::size_t samples, double largest,
                                                    double fs_Hz);
 
+/// Whether a change exceeds what motion before the hit explains, such as hum: its mean there is not zero if the samples
+/// before the hit are few. x begins with `quiet` samples before the hit; its end shows how large the motion is.
+bool exceeds_motion_before(const BaselineChange& change, std::span<const double> x, std::size_t quiet);
+
 void subtract_baseline(const BaselineChange& change, std::size_t hit_sample, double fs_Hz, std::span<double> x);
 
 }  // namespace percuss::pipeline

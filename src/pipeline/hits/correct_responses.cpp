@@ -128,6 +128,13 @@ Samples corrected_hit(HitFaults& found, HitResponses& responses, const acquire::
   }
   if (at.empty() && !moves) return {};
   Samples read = read_all(record, hit, samples);
+  moves = false;
+  for (std::size_t c = 0; c < read.size(); ++c) {
+    HitResponse& response = responses.of[found.hit][c];
+    if (response.baseline && !exceeds_motion_before(*response.baseline, read[c], response.rest.quiet))
+      response.baseline.reset();
+    moves = moves || response.baseline;
+  }
   if (!at.empty()) found.faults = find_faults(read, at, decay);
   const bool faulty = std::any_of(found.faults.begin(), found.faults.end(), repairable);
   if (!faulty && !moves) return {};

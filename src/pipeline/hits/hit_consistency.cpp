@@ -163,9 +163,14 @@ void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectr
 
 void vote_first_motion(std::vector<AnalysedHit>& hits) {
   std::map<std::pair<int, std::size_t>, std::vector<std::size_t>> voters;  // by point and channel
+  std::map<std::pair<int, std::size_t>, std::size_t> unclear;
   for (std::size_t h = 0; h < hits.size(); ++h) {
     for (std::size_t c = 0; hits[h].accepted && c < hits[h].responses.size(); ++c) {
-      if (hits[h].responses[c].polarity != 0) voters[{hits[h].point, c}].push_back(h);
+      if (hits[h].responses[c].polarity != 0) {
+        voters[{hits[h].point, c}].push_back(h);
+      } else if (!hits[h].responses[c].dead) {
+        ++unclear[{hits[h].point, c}];
+      }
     }
   }
   for (const auto& [point_and_channel, members] : voters) {
@@ -174,7 +179,8 @@ void vote_first_motion(std::vector<AnalysedHit>& hits) {
     const auto with = static_cast<std::size_t>(std::count_if(members.begin(), members.end(), with_push));
     const std::size_t against = members.size() - with;
     const bool undecided =
-        static_cast<double>(std::min(with, against)) > kMaxDissent * static_cast<double>(members.size());
+        static_cast<double>(std::min(with, against)) > kMaxDissent * static_cast<double>(members.size()) ||
+        unclear[point_and_channel] > members.size();
     for (const std::size_t h : members) {
       if (!undecided && with_push(h) == (with > against)) continue;
       hits[h].responses[channel].polarity = 0;

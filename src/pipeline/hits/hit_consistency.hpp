@@ -35,7 +35,8 @@ void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectr
                      const std::vector<acquire::RowInfo>& rows = {});
 
 /// Takes a vote of each point's accepted hits on the direction in which a channel first moves, relative to the push.
-/// Outvoted hits lose their `polarity` and `delay_s`; all hits do when more than a fifth of them disagree.
+/// Outvoted hits lose their `polarity` and `delay_s`; all hits do when more than a fifth of them disagree, or
+/// when more than half of the hits show no clear direction.
 void vote_first_motion(std::vector<AnalysedHit>& hits);
 
 }  // namespace percuss::pipeline

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kManyModes = 3;      // too many to have a node at one place
 constexpr double kNoResidue = 4;           // standard deviations of the clearest residue of a silent channel …
+constexpr double kStillResidue = 10;       // the same of a channel that stays in its noise …
 constexpr double kClearResidue = 20;       // … and of another channel
 constexpr double kVisiblePhase = 0.05;     // rad at the highest mode
 constexpr double kUnitFactor = 1000;       // between m/s² and mm/s², V and mV
@@ -192,38 +193,29 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
   return out;
 }
 
-// Warns of each channel whose residues are within their noise for all modes, if another channel shows the modes. Such a
-// channel does not respond, or it lies across the motion or at a node of all these modes. A few modes may have a common
-// node: fewer than kManyModes give no warning.
 std::vector<Warning> silent_channels(const acquire::Record& record, const std::vector<identify::Mode>& modes,
-                                     const std::vector<bool>& responding) {
-  if (modes.size() < kManyModes) return {};
-  std::vector<double> clearest(record.accel.size());
-  for (const identify::Mode& mode : modes) {
-    for (const identify::Residue& residue : mode.residues) {
-      if (residue.channel < clearest.size() && residue.std > 0)
-        clearest[residue.channel] = std::max(clearest[residue.channel], std::abs(residue.value) / residue.std);
-    }
-  }
-  const bool any = std::any_of(clearest.begin(), clearest.end(), [](double ratio) { return ratio > kClearResidue; });
+                                     const std::vector<Silence>& silent, const std::vector<bool>& types_need) {
   std::vector<Warning> out;
-  for (std::size_t c = 0; any && c < clearest.size(); ++c) {
-    if (!(clearest[c] > 0 && clearest[c] < kNoResidue)) continue;
-    if (c < responding.size() && responding[c]) {
+  for (std::size_t c = 0; c < silent.size(); ++c) {
+    const std::string finding = fmt::format("{} shows none of the {} mode{}", sensor_name(record.accel, c),
+                                            modes.size(), modes.size() == 1 ? "" : "s");
+    if (silent[c] == Silence::unexcited) {
       out.push_back(with_remedy(
-          {"unexcited_channel",
-           fmt::format("{} shows none of the {} modes, although it responds to the hits: a sensor across the blow sees "
-                       "no bending mode, only modes outside the band",
-                       sensor_name(record.accel, c), modes.size())},
+          {"unexcited_channel", finding +
+                                    ", although it responds to the hits: a sensor across the blow sees no bending "
+                                    "mode, only modes outside the band"},
           "if it does not lie across the blow, check its mounting and its cable"));
-      continue;
     }
+    if (silent[c] != Silence::dead && silent[c] != Silence::still) continue;
+    const std::string reason =
+        silent[c] == Silence::still
+            ? std::string("it does not rise above its noise before the hits")
+            : fmt::format("its residues are within {:.0f} standard deviations of zero", kNoResidue);
     out.push_back(with_remedy(
         {"dead_channel",
-         fmt::format("{} shows none of the {} modes: its residues are within {:.0f} standard deviations of zero. If it "
-                     "is dead, results that compare it with other channels are wrong: bending or hoop, directions, "
-                     "shapes",
-                     sensor_name(record.accel, c), modes.size(), kNoResidue),
+         fmt::format("{}: {}. If it is dead, results that compare it with other channels are wrong: directions, "
+                     "shapes{}",
+                     finding, reason, c < types_need.size() && types_need[c] ? kNoTypesWithoutIt : ""),
          {"accel_channel"},
          "",
          acquire::Severity::warn},
@@ -247,9 +239,34 @@ std::vector<Warning> mass_loading_warnings(const std::vector<identify::Mode>& mo
                       "use a lighter sensor, rove the hammer, or put the same mass at every point")};
 }
 
+std::vector<Silence> silences(const acquire::Record& record, const std::vector<identify::Mode>& modes,
+                              const std::vector<ChannelMotion>& motions) {
+  std::vector<double> clearest(record.accel.size());
+  for (const identify::Mode& mode : modes) {
+    for (const identify::Residue& residue : mode.residues) {
+      if (residue.channel < clearest.size() && residue.std > 0)
+        clearest[residue.channel] = std::max(clearest[residue.channel], std::abs(residue.value) / residue.std);
+    }
+  }
+  const bool any = std::any_of(clearest.begin(), clearest.end(), [](double ratio) { return ratio > kClearResidue; });
+  std::vector<Silence> out(record.accel.size(), Silence::none);
+  for (std::size_t c = 0; c < out.size(); ++c) {
+    const ChannelMotion motion = c < motions.size() ? motions[c] : ChannelMotion{};
+    if (motion.constant) {
+      out[c] = Silence::constant;
+    } else if (any && motion.still && clearest[c] < kStillResidue) {
+      out[c] = Silence::still;
+    } else if (any && modes.size() >= kManyModes && clearest[c] > 0 && clearest[c] < kNoResidue) {
+      out[c] = motion.responds ? Silence::unexcited : Silence::dead;
+    }
+  }
+  return out;
+}
+
 std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const std::vector<identify::Mode>& modes,
                                            const ChannelFindings& findings, bool correctable,
-                                           const SensorDirections& sensors, const std::vector<bool>& responding) {
+                                           const SensorDirections& sensors, const std::vector<Silence>& silent,
+                                           const std::vector<bool>& types_need) {
   // A different clock also causes delays. Only the clock is then reported.
   const bool own_clock = std::any_of(findings.clocks.begin(), findings.clocks.end(),
                                      [](const ChannelClock& clock) { return clock.established(); });
@@ -257,7 +274,7 @@ std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const 
   if (!own_clock) out = skew(record, modes, findings.delays, correctable);
   for (const auto& more : {corrected_skew(record, modes, findings.corrected_delays), clocks(record, findings.clocks),
                            units(record, findings, sensors), directions(record, findings.pairs, sensors),
-                           silent_channels(record, modes, responding)})
+                           silent_channels(record, modes, silent, types_need)})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

@@ -18,12 +18,16 @@ namespace {
 constexpr std::size_t kMinQuiet = 64;  // samples before a hit, which determine its noise to a tenth
 constexpr std::size_t kMinPoints = 3;  // of a survey that shows what is usual
 constexpr double kClearHeight = 30;    // standard deviations of the noise, which a clear response reaches
+constexpr double kDeadShare = 0.1;     // of the hits: fewer dead ones change a ratio by less than its other errors
 constexpr double kNoiseExtreme = 6;    // the same, which noise does not reach: a million samples of white noise reach 5
 
-// Indices of the accepted hits in which the channel is constant, and whether it moves in another one.
+// Indices of the accepted hits in which the channel is constant, and the number of those in which it moves.
 struct DeadHits {
   std::vector<std::size_t> hits;
-  bool moves = false;
+  std::size_t moving = 0;
+  bool many() const {
+    return !hits.empty() && static_cast<double>(hits.size()) >= kDeadShare * static_cast<double>(hits.size() + moving);
+  }
 };
 
 DeadHits dead_hits(const std::vector<AnalysedHit>& hits, std::size_t channel) {
@@ -33,7 +37,7 @@ DeadHits dead_hits(const std::vector<AnalysedHit>& hits, std::size_t channel) {
     if (hits[h].responses[channel].dead) {
       out.hits.push_back(h);
     } else {
-      out.moves = true;
+      ++out.moving;
     }
   }
   return out;
@@ -108,17 +112,20 @@ void remove_consequences_of_reversed_phase(std::vector<Warning>& warnings) {
   });
 }
 
-std::vector<Warning> channel_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits) {
+std::vector<Warning> channel_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                      const std::vector<bool>& types_need) {
   std::vector<Warning> out;
   for (std::size_t c = 0; c < record.accel.size(); ++c) {
     const DeadHits dead = dead_hits(hits, c);
     if (dead.hits.empty()) continue;
-    const char* const consequence = !dead.moves             ? "it shows no modes"
+    const char* const consequence = dead.moving == 0        ? "it shows no modes"
                                     : dead.hits.size() == 1 ? "this hit makes its FRFs and residues too small"
                                                             : "these hits make its FRFs and residues too small";
+    const bool no_types = dead.many() && c < types_need.size() && types_need[c];
     out.push_back(with_remedy({"dead_channel",
-                               fmt::format("{} is constant in {}: {}", one_line(record.accel[c].name, kMaxNameBytes),
-                                           dead.moves ? hit_list(dead.hits) : "every accepted hit", consequence),
+                               fmt::format("{} is constant in {}: {}{}", one_line(record.accel[c].name, kMaxNameBytes),
+                                           dead.moving > 0 ? hit_list(dead.hits) : "every accepted hit", consequence,
+                                           no_types ? kNoTypesWithoutIt : ""),
                                {"accel_channel"}},
                               "check its cable, or choose the other channels"));
   }
@@ -150,10 +157,15 @@ std::vector<Warning> silent_response_warnings(const acquire::Record& record, con
   return out;
 }
 
-std::vector<bool> responding_channels(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
-                                      const HitResponses& responses) {
-  std::vector<bool> out;
-  for (std::size_t c = 0; c < record.accel.size(); ++c) out.push_back(responds(accepted_hits(hits), responses, c));
+std::vector<ChannelMotion> channel_motions(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                           const HitResponses& responses) {
+  const std::vector<std::size_t> used = accepted_hits(hits);
+  std::vector<ChannelMotion> out;
+  for (std::size_t c = 0; c < record.accel.size(); ++c) {
+    out.push_back({.constant = dead_hits(hits, c).many(),
+                   .responds = responds(used, responses, c),
+                   .still = stays_in_noise(used, responses, c)});
+  }
   return out;
 }
 

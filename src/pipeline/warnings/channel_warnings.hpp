@@ -18,19 +18,30 @@ std::vector<Warning> input_warnings(const acquire::Record& record);
 /// poles, residuals and signs.
 void remove_consequences_of_reversed_phase(std::vector<Warning>& warnings);
 
-/// dead_channel, coarse_steps, channel by channel.
-std::vector<Warning> channel_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits);
+/// What the hits show of one channel.
+struct ChannelMotion {
+  bool constant = false;  // in a tenth of the accepted hits or more
+  // Its largest sample is, in the median over the accepted hits, at least 30 standard deviations of the noise before
+  // the hit. False where too few samples before the hits determine the noise.
+  bool responds = false;
+  bool still = false;  // no sample after an accepted hit exceeds six standard deviations of the noise before it
+};
+/// [channels] without the tones that were removed
+std::vector<ChannelMotion> channel_motions(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                           const HitResponses& responses);
+
+/// Ends the message about a channel that mode types would rest on.
+inline constexpr const char* kNoTypesWithoutIt = ". Mode types, which would rest on it, are not stated";
+
+/// dead_channel, coarse_steps, channel by channel. `types_need`: [channels] the channels by which modes are typed
+/// (needed_for_types()); empty for none.
+std::vector<Warning> channel_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
+                                      const std::vector<bool>& types_need = {});
 
 /// dead_channel for each channel whose samples stay in its noise at every accepted hit. For tests in which no mode was
 /// found: a mode can be found even in responses of which no sample rises above the noise.
 std::vector<Warning> silent_response_warnings(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
                                               const HitResponses& responses);
-
-/// [channels] Whether each channel clearly responds: its largest sample is, in the median over the accepted hits, at
-/// least 30 standard deviations of the noise before the hit. False where too few samples before the hits determine the
-/// noise.
-std::vector<bool> responding_channels(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
-                                      const HitResponses& responses);
 
 /// A channel that stays in its noise at all accepted hits of one point.
 struct SilentPoint {

@@ -29,14 +29,9 @@ FirstMotion first_motion(const pipeline::Analysis& analysis, std::size_t channel
   return out;
 }
 
-// Points may differ in direction. The hits of one point agree, because vote_first_motion() discards the first motion of
-// an outvoted hit.
-std::string direction(const FirstMotion& motion) {
-  if (motion.with > 0 && motion.against > 0)
-    return fmt::format("with the push in {} hit{}, against it in {}", motion.with, motion.with == 1 ? "" : "s",
-                       motion.against);
-  return motion.with > 0 ? "with the push" : "against the push";
-}
+// Points may differ in direction, which then tells nothing of a sensor. The hits of one point agree, because
+// vote_first_motion() discards the first motion of an outvoted hit.
+bool differs_between_points(const FirstMotion& motion) { return motion.with > 0 && motion.against > 0; }
 
 }  // namespace
 
@@ -44,10 +39,11 @@ std::string responses_text(const pipeline::Analysis& analysis, std::size_t width
   std::string text;
   for (std::size_t c = 0; c < analysis.record().accel.size(); ++c) {
     const FirstMotion motion = first_motion(analysis, c);
+    if (differs_between_points(motion)) continue;
     const std::string name = (text.empty() ? "" : "; ") + one_line(analysis.record().accel[c].name, 40);
     if (!motion.delay_s.empty()) {
-      text += fmt::format("{} first moves {}, {:.2f} ms after the force's onset", name, direction(motion),
-                          median(motion.delay_s) * 1e3);
+      text += fmt::format("{} first moves {} the push, {:.2f} ms after the force's onset", name,
+                          motion.with > 0 ? "with" : "against", median(motion.delay_s) * 1e3);
     } else if (motion.undecided > 0) {
       text += fmt::format("{}: the hits show no clear direction of its first motion", name);
     }

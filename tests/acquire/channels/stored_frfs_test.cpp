@@ -60,7 +60,7 @@ TEST(StoredFrfs, NotesRoundedFrequenciesUnlessTheUserStatesTheSpacing) {
   lines.note = "rounded";
   frfs.set_lines(lines);
   const FrfRecord noted = to_accelerances(frfs, {});
-  EXPECT_THAT(test::texts(noted.notes), testing::ElementsAre("rounded"));
+  EXPECT_THAT(test::texts(noted.notes), testing::ElementsAre(testing::StartsWith("rounded")));
   EXPECT_THAT(noted.notes.at(0).options, testing::ElementsAre("df"));
   EXPECT_THAT(to_accelerances(frfs, {.read = {.df_Hz = 1}}).notes, IsEmpty());
 }

@@ -195,6 +195,18 @@ TEST(GradeResponse, IgnoresTheRingingOfTheFilter) {
   }
 }
 
+// A far sensor that first moves a little the other way: neither direction is its first motion.
+TEST(GradeResponse, StatesNoDirectionWhereALargerMotionFollowsTheOtherWay) {
+  for (const double sign : {1.0, -1.0}) {
+    auto x = ringing(1000, sign * 50);
+    x[kOnset - 2] -= sign * 1;  // a sample of the lobe below the level that counts as motion
+    x[kOnset - 1] -= sign * 8;
+    x[kOnset] -= sign * 8;
+    EXPECT_EQ(grade(x).polarity, 0);
+    EXPECT_FALSE(grade(x).delay_s);
+  }
+}
+
 TEST(GradeResponse, CountsClippedSamples) {
   auto clipped = ringing(2000);
   for (double& value : clipped) value = std::clamp(value, -30.0, 30.0);

@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <numbers>
+#include <vector>
+
+#include "support/force_row.hpp"
 
 namespace percuss::pipeline::baseline_test {
 
@@ -36,6 +40,29 @@ TEST(BaselineChange, ExceedsTheNoiseOfTheMeanBefore) {
   EXPECT_TRUE(find_baseline_change(decaying, 1600, 10, 1000)) << "5.3 standard deviations of the mean";
   decaying.noise = 2.1;
   EXPECT_FALSE(find_baseline_change(decaying, 1600, 10, 1000)) << "4.8 standard deviations of the mean";
+}
+
+/// Sine of one period in 512 samples, with this phase, for 16 periods.
+std::vector<double> hum(double amplitude, double phase) {
+  std::vector<double> x(16 * 512);
+  for (std::size_t n = 0; n < x.size(); ++n)
+    x[n] = amplitude * std::sin(2 * std::numbers::pi * static_cast<double>(n) / 512 + phase);
+  test::add_noise(x, 0.01, 1);
+  return x;
+}
+
+// The mean of the samples before a hit is not zero over a half or a quarter of a period.
+TEST(BaselineChange, IsNotTheMeanOfHumBeforeTheHit) {
+  for (const std::size_t quiet : {128U, 256U}) {
+    for (int k = 0; k < 16; ++k) {
+      const std::vector<double> x = hum(3, 2 * std::numbers::pi * k / 16);
+      EXPECT_FALSE(exceeds_motion_before({.size = 3}, x, quiet)) << quiet << " " << k;
+      EXPECT_TRUE(exceeds_motion_before({.size = 30}, x, quiet)) << quiet << " " << k;
+    }
+  }
+  std::vector<double> noise(8192);
+  test::add_noise(noise, 0.1, 2);
+  EXPECT_TRUE(exceeds_motion_before({.size = 0.05}, noise, 256)) << "white noise has no slow motion";
 }
 
 }  // namespace percuss::pipeline::baseline_test

@@ -210,6 +210,11 @@ TEST(VoteFirstMotion, KeepsADirectionThatAllHitsShow) {
   EXPECT_EQ(polarities_after_vote(hits_with_polarities({-1})), (Polarities{-1}));
 }
 
+TEST(VoteFirstMotion, IsUndecidedWhereMostHitsShowNoDirection) {
+  EXPECT_EQ(polarities_after_vote(hits_with_polarities({0, 1, 0, 0, 1})), (Polarities{0, 0, 0, 0, 0}));
+  EXPECT_EQ(polarities_after_vote(hits_with_polarities({0, 1, 0, 1})), (Polarities{0, 1, 0, 1}));
+}
+
 TEST(VoteFirstMotion, OverrulesOneAmongMany) {
   EXPECT_EQ(polarities_after_vote(hits_with_polarities({1, 1, -1, 1, 1})), (Polarities{1, 1, 0, 1, 1}));
 }

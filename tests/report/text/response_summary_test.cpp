@@ -44,6 +44,18 @@ TEST(ResponsesText, StatesThatHitsDisagree) {
                                         HasSubstr("accel 2: the hits show no clear direction of its first motion")));
 }
 
+// The points of a survey move in either direction, which tells nothing of a sensor.
+TEST(ResponsesText, OmitsAChannelWhosePointsDiffer) {
+  acquire::Record points = record();
+  for (std::size_t row = 0; row < points.rows.size(); ++row) points.rows[row].point = static_cast<int>(row);
+  points.read_accel_mps2 = [inner = points.read_accel_mps2](std::size_t row, std::size_t channel, std::size_t first,
+                                                            std::span<double> out) {
+    inner(row, channel, first, out);
+    if (channel == 1 && row == 1) std::transform(out.begin(), out.end(), out.begin(), std::negate<>());
+  };
+  EXPECT_THAT(summary_of(points), AllOf(HasSubstr("accel 1 first moves with the push"), Not(HasSubstr("accel 2"))));
+}
+
 TEST(ResponsesText, OmitsADeadChannel) {
   acquire::Record dead = record();
   dead.read_accel_mps2 = [inner = dead.read_accel_mps2](std::size_t row, std::size_t channel, std::size_t first,

@@ -11,6 +11,7 @@
 
 #include "acquire/channels/axis_unit.hpp"
 #include "acquire/channels/signal_overrides.hpp"
+#include "acquire/record/note_on_rounding.hpp"
 #include "acquire/record/point_number.hpp"
 #include "acquire/record/sampling_rate.hpp"
 #include "core/error.hpp"
@@ -147,7 +148,7 @@ double agreed_rate_Hz(const CsvHeader& header, const StampedRate& stamped, const
     notes.emplace_back(fmt::format("sampling rate {:.10g} Hz from the time column; the header says {:.10g} Hz",
                                    stamped.fs_Hz, *header.fs_Hz));
   } else if (!stamped.note.empty()) {
-    notes.emplace_back(stamped.note, std::vector<OptionId>{"fs"});
+    notes.push_back(note_on_rounding(stamped.note, largest_error_of(stamped), "fs"));
   }
   return stamped.fs_Hz;
 }

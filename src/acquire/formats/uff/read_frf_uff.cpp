@@ -60,7 +60,7 @@ FrequencyLines lines_of_function(const UffFunction& f, const std::string& where)
     for (std::size_t k = 0; k < f.count; ++k) numbers[k] = f.x(k);
     return frequency_lines(numbers, to_Hz, where);
   }
-  std::string note;
+  UffStepNote note;
   const double step = uff_step(f, true, to_Hz, note);
   const double first = std::round(f.x0 / step);
   const bool fits = step > 0 && first >= 0 && std::abs(f.x0 / step - first) <= kMaxLineOffset;
@@ -73,7 +73,7 @@ FrequencyLines lines_of_function(const UffFunction& f, const std::string& where)
   const double half_unit = 0.5 * std::pow(10.0, -decimals_of(f.dx_text, false));
   out.spacing.lowest_Hz = std::min(out.spacing.lowest_Hz, (f.dx - half_unit) * to_Hz);
   out.spacing.highest_Hz = std::max(out.spacing.highest_Hz, (f.dx + half_unit) * to_Hz);
-  out.note = std::move(note);
+  out.note = std::move(note.text);
   return out;
 }
 

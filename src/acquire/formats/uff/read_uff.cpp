@@ -18,6 +18,7 @@
 #include "acquire/formats/uff/uff_roles.hpp"
 #include "acquire/formats/uff/uff_row_points.hpp"
 #include "acquire/formats/uff/uff_rows.hpp"
+#include "acquire/record/note_on_rounding.hpp"
 #include "core/error.hpp"
 #include "core/io/time_stamps.hpp"
 #include "core/units.hpp"
@@ -61,7 +62,7 @@ TableSignal signal_of(const UffFunction& function, const std::string& name, cons
   return out;
 }
 
-double rate_of_function_Hz(const UffFunction& function, const std::string& where, std::string& note) {
+double rate_of_function_Hz(const UffFunction& function, const std::string& where, UffStepNote& note) {
   const double to_s = s_per_unit(function.abscissa.unit).value_or(1);
   if (function.even) {
     const double dt_s = uff_step(function, false, to_s, note) * to_s;
@@ -84,7 +85,7 @@ double rate_of_function_Hz(const UffFunction& function, const std::string& where
     throw InputError(fmt::format("{}, value {}", problem.text, problem.at + 1), where, "state the sampling rate",
                      {"fs"});
   }
-  note = rate->note;
+  note = {rate->note, largest_error_of(*rate)};
   return rate->fs_Hz;
 }
 
@@ -167,9 +168,9 @@ std::vector<const UffFunction*> time_records(UffContents& contents) {
 }
 
 void add_sampling_rate(const UffFunction& function, const FileBytes& file, SignalTable& table) {
-  std::string note;
+  UffStepNote note;
   table.fs_Hz = rate_of_function_Hz(function, uff_location(file, function.at), note);
-  if (!note.empty()) table.notes.emplace_back(note, std::vector<OptionId>{"fs"});
+  if (!note.text.empty()) table.notes.push_back(note_on_rounding(note.text, note.largest_error, "fs"));
 }
 
 // The table of all rows. It keeps the open file for reading.

@@ -64,6 +64,12 @@ struct UffAnnotation {
 };
 UffAnnotation uff_annotation(const UffFunction& function);
 
+/// Which step was taken for a rounded one, and how far the true step may be from it, relative. Empty without doubt.
+struct UffStepNote {
+  std::string text;
+  double largest_error = 0;
+};
+
 /// The step of an even abscissa, in its unit, before it was rounded to 13 columns. If percuss stated the step in the
 /// fifth line and it agrees with the text, the result is this step. Otherwise the result is one of the steps that round
 /// to the same text:
@@ -71,6 +77,6 @@ UffAnnotation uff_annotation(const UffFunction& function);
 ///   for frequency, the roundest step, or the step with the roundest inverse (the duration) if that has fewer digits.
 /// Sets `note` when a step found by roundness differs from the text.
 /// to_SI  s or Hz per unit of the abscissa, for the note
-double uff_step(const UffFunction& function, bool frequency, double to_SI, std::string& note);
+double uff_step(const UffFunction& function, bool frequency, double to_SI, UffStepNote& note);
 
 }  // namespace percuss::acquire

@@ -49,7 +49,7 @@ UffAnnotation uff_annotation(const UffFunction& function) {
   return out;
 }
 
-double uff_step(const UffFunction& function, bool frequency, double to_SI, std::string& note) {
+double uff_step(const UffFunction& function, bool frequency, double to_SI, UffStepNote& note) {
   const double dx = function.dx;
   if (!(dx > 0) || !std::isfinite(dx)) return dx;
   const double half_unit = 0.5 * std::pow(10.0, -decimals_of(function.dx_text, false));
@@ -61,14 +61,16 @@ double uff_step(const UffFunction& function, bool frequency, double to_SI, std::
   const bool take_step = frequency && significant_digits(round_step) <= significant_digits(round_inverse);
   const double step = take_step ? round_step : 1 / round_inverse;
   if (std::abs(step / dx - 1) > kUnchanged) {
-    note = frequency
-               ? fmt::format(
-                     "spacing {:.10g} Hz: of all spacings that round to {}, it (or its inverse) has the fewest digits",
-                     step * to_SI, trimmed(function.dx_text))
-               : fmt::format(
-                     "sampling rate {:.10g} Hz: of all rates whose time step rounds to {} {}, it has the fewest digits",
-                     round_inverse / to_SI, trimmed(function.dx_text),
-                     function.abscissa.unit.empty() ? "s" : function.abscissa.unit);
+    note.largest_error = std::max(std::abs(low / step - 1), std::abs(high / step - 1));
+    note.text =
+        frequency
+            ? fmt::format(
+                  "spacing {:.10g} Hz: of all spacings that round to {}, it (or its inverse) has the fewest digits",
+                  step * to_SI, trimmed(function.dx_text))
+            : fmt::format(
+                  "sampling rate {:.10g} Hz: of all rates whose time step rounds to {} {}, it has the fewest digits",
+                  round_inverse / to_SI, trimmed(function.dx_text),
+                  function.abscissa.unit.empty() ? "s" : function.abscissa.unit);
   }
   return step;
 }

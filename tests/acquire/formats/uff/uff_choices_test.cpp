@@ -27,7 +27,9 @@ using test::uff_frf_header;
 using test::uff_function;
 using test::UffText;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 const UffText kAccel{.response = "acc", .ordinate = 12, .ordinate_unit = "m/s^2"};
 
@@ -95,6 +97,26 @@ TEST(UffChoices, RefuseTimeStepsThatAreNotPositive) {
     EXPECT_THAT(input_error_of([&] { opened_uff(text); }), HasSubstr(named));
     EXPECT_EQ(opened_uff(text, {.fs_Hz = 500}).fs_Hz, 500);
   }
+}
+
+// Six digits leave a doubt of a few ppm: the note gives it, and warns only of more than the clocks of recorders reach.
+TEST(UffChoices, NoteHowFarARoundedStepMayBeOff) {
+  UffText force = kUffForce, accel = kAccel;
+  const auto note_of = [&](const char* dx) {
+    force.dx = accel.dx = dx;
+    const Record record = opened_uff(uff_function(force, 1) + uff_function(accel, 3));
+    for (const Message& note : record.notes) {
+      if (note.text.starts_with("sampling rate ")) return note;
+    }
+    return Message();
+  };
+  const Message six = note_of("  1.22070E-04");  // 8192 Hz, 1.220703125e-4 s, or as little as 1.2206950e-4 s
+  EXPECT_THAT(six.text, StartsWith("sampling rate 8192 Hz"));
+  EXPECT_THAT(six.text, EndsWith("all frequencies are off, by at most 6.7 ppm"));
+  EXPECT_TRUE(six.information);
+  const Message four = note_of("    1.221E-04");
+  EXPECT_THAT(four.text, HasSubstr("by at most "));
+  EXPECT_FALSE(four.information) << "half a unit of 1.221e-4 is 410 ppm";
 }
 
 // A step of six digits is replaced by the roundest rate that it may stand for. One digit allows too many rates.
