@@ -11,7 +11,8 @@ namespace percuss::identify {
 enum class ForceErrors { noise, all };
 
 /// The gain error ε(ω) of a point's FRFs, from the force channel's noise within the gate and from the ringing that the
-/// gate cuts off. The gain 1 + ε(ω) is common to all responses, and smooth over frequency because the gate is short.
+/// gate cuts off. The gain 1 + ε(ω) is common to all responses. It is smooth over frequency where the gates are short;
+/// with a gate that also holds a second contact, it changes within the inverse of the contact's delay.
 /// Column i is ε at `lines` for the i-th of independent standard normal variables, so that Σ|ε|² over the columns is
 /// the variance. Empty where the noise is unknown.
 /// shape  [lines.size(), variables].

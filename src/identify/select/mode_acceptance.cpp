@@ -40,13 +40,10 @@ double max_misfit(const WindowedFit& all, const FitGroup& group) {
   return group.fit.noise.cwiseQuotient(all.noise(group)).maxCoeff();
 }
 
-double significance(const LocalFit& fit, std::size_t mode) {
-  double best = 0;
-  for (Index o = 0; o < fit.residues.rows(); ++o) {
-    const double std = fit.residue_std(o, static_cast<Index>(mode));
-    best = std::max(best, std > 0 ? std::abs(fit.residues(o, static_cast<Index>(mode))) / std : kInfiniteRatio);
-  }
-  return best;
+// A residue over its standard deviation.
+double significance(const LocalFit& fit, Index channel, std::size_t mode) {
+  const double std = fit.residue_std(channel, static_cast<Index>(mode));
+  return std > 0 ? std::abs(fit.residues(channel, static_cast<Index>(mode))) / std : kInfiniteRatio;
 }
 
 // True for a mode of a close pair whose residual is only noise. The other mode can take over most of its residue, so
@@ -100,12 +97,14 @@ double changing_gain_error(const FrfDataset& set, const FrfChannel& channel, dou
   return most;
 }
 
-// True where the mode's peak in some FRF is above the error from the force channel's noise, a gain that varies with
-// frequency.
-bool above_force_noise(const WindowedFit& all, const FitGroup& group, std::size_t mode) {
+// True where the mode's residue in some FRF is significant, and its peak there is above the error from the force
+// channel's noise, a gain that varies with frequency. Each alone can be the noise of the other channel: in a strong FRF
+// the force's noise has a significant residue, and in a weak FRF the response's noise exceeds it.
+bool above_noise(const WindowedFit& all, const FitGroup& group, std::size_t mode, double least_significance) {
   const FrfDataset& set = all.set();
   const Pole& pole = group.fit.poles[mode];
   for (Index o = 0; o < group.fit.residues.rows(); ++o) {
+    if (!(significance(group.fit, o, mode) > least_significance)) continue;
     const FrfChannel& channel = set.channels[static_cast<std::size_t>(o)];
     const double peak = std::abs(group.fit.residues(o, static_cast<Index>(mode))) / (2 * pole.damping_ratio);
     const bool known = !set.points[channel.point].ff.empty();
@@ -187,9 +186,9 @@ bool accept_mode(const WindowedFit& all, const FitGroup& group, std::size_t mode
   const double high = all.set().lines.freq_Hz(group.first + group.count - 1);
   const auto m = static_cast<Index>(mode);
   const double widest_Hz = kMaxModeWidth * static_cast<double>(all.set().lines.count) * all.set().lines.df_Hz();
-  return above_dynamic_range(all, group.fit, mode) && above_force_noise(all, group, mode) && pole.freq_Hz > low &&
+  return above_dynamic_range(all, group.fit, mode) &&
+         above_noise(all, group, mode, min_significance(all, group, mode, context)) && pole.freq_Hz > low &&
          pole.freq_Hz < high && has_plausible_damping(group, mode) && pole.half_power_Hz() < widest_Hz &&
-         significance(group.fit, mode) > min_significance(all, group, mode, context) &&
          peak_to_residual(all, group, mode) > min_peak_to_residual(all, group, mode, context) &&
          group.fit.freq_std_Hz(m) < all.width_Hz(pole) && decays_significantly(all, group, mode);
 }

@@ -17,9 +17,10 @@ double peak_to_residual(const WindowedFit& all, const FitGroup& group, std::size
 
 /// True for a mode of the structure. Its pole lies within its window, and its damping is plausible. The standard
 /// deviation of its frequency is below its bandwidth. The standard deviation of its damping is below the damping, or
-/// below a third of it where the mode hardly decays within the record. A residue is significant. Its peak stands out of
-/// the residual, the force's noise and the fit's model error. The required ratio rises for a mode without a peak of its
-/// own whose window misfits, and above the force's bandwidth.
+/// below a third of it where the mode hardly decays within the record. In an FRF whose residue is significant, its peak
+/// stands out of the force's noise. In some FRF, its peak stands out of the residual, and in some, of the fit's model
+/// error. The required ratio rises for a mode without a peak of its own whose window misfits, and above the force's
+/// bandwidth.
 bool accept_mode(const WindowedFit& all, const FitGroup& group, std::size_t mode, const AcceptanceContext& context);
 
 /// True for two poles that a fit has merged, so that their residues cannot be distinguished. Where the force is

@@ -126,6 +126,75 @@ TEST(GainAmplitude, HoldsNearlyAllOfTheErrorAtLowFrequencies) {
   EXPECT_GT(gain_amplitude_std(set, 0, low_Hz), 1.38 * gain_std(set, 0, low_Hz));
 }
 
+// Four hits, of which the second has a gate in two parts: around the pulse, and around a second contact 420 samples
+// later. All samples within the parts carry noise, as measured ones do.
+constexpr std::size_t kGate = 90, kLater = 420, kContact = 30;
+
+std::vector<frf::ForceBlock> hits_with_second_contact() {
+  const FrfDataset one = gated_hit();
+  std::vector<frf::ForceBlock> blocks;
+  for (const double peak_N : {1.0, 1.5, 0.7, 1.2}) {
+    frf::ForceBlock block = one.points[0].blocks[0];
+    for (double& force_N : block.force_N) force_N *= peak_N;
+    synth::RandomStream({9, blocks.size()}).add_normal(1e-9, block.force_N);
+    blocks.push_back(block);
+  }
+  std::vector<double>& twice = blocks[1].force_N;
+  twice.resize(kLater);
+  for (std::size_t n = 0; n < kContact; ++n) twice.push_back(0.02 * twice[29 + n]);
+  return blocks;
+}
+
+// H1's relative error from noise in the gates of hits, at lines.
+Eigen::VectorXcd h1_error(const FrfDataset& set, const std::vector<Eigen::Index>& lines, std::uint64_t trial) {
+  const PointForce& force = set.points[0];
+  Eigen::VectorXcd error = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(lines.size()));
+  for (std::size_t h = 0; h < force.blocks.size(); ++h) {
+    frf::ForceBlock noise = force.blocks[h];
+    std::fill(noise.force_N.begin(), noise.force_N.end(), 0);
+    synth::RandomStream({10, trial, h}).add_normal(kNoise_N, noise.force_N);
+    if (noise.force_N.size() > kLater) std::fill_n(noise.force_N.begin() + kGate, kLater - kGate, 0);
+    const auto spectrum = frf::force_spectrum(noise, set.lines);
+    for (Eigen::Index i = 0; i < error.size(); ++i) {
+      const auto k = static_cast<std::size_t>(lines[static_cast<std::size_t>(i)]);
+      error(i) += std::conj(force.spectra[h].get()[k]) * spectrum[k] / force.ff[k];
+    }
+  }
+  return error;
+}
+
+// The noise of a second contact changes H1 as fast over frequency as the contact is late, but only by its hit's part.
+TEST(GainErrors, HoldTheNoiseOfASecondContactAtItsDelay) {
+  FrfDataset set = gated_hit();
+  std::vector<frf::Spectrum> spectra;
+  const auto blocks = hits_with_second_contact();
+  for (const frf::ForceBlock& block : blocks)
+    spectra.push_back(test::make_spectrum(frf::force_spectrum(block, set.lines)));
+  set.points[0] = point_force(blocks, spectra, set.lines, kNoise_N);
+  const std::vector<Eigen::Index> lines{400, 419, 438, 1500, 1519, 1538};
+  constexpr int kTrials = 4000;
+  Eigen::MatrixXcd measured = Eigen::MatrixXcd::Zero(6, 6);
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const Eigen::VectorXcd error = h1_error(set, lines, static_cast<std::uint64_t>(trial));
+    measured += error * error.adjoint() / kTrials;
+  }
+  const Eigen::MatrixXcd errors = gain_errors(set, 0, all_lines(set), ForceErrors::noise);
+  Eigen::MatrixXcd picked(6, errors.cols());
+  for (Eigen::Index i = 0; i < 6; ++i) picked.row(i) = errors.row(lines[static_cast<std::size_t>(i)]);
+  const Eigen::MatrixXcd expected = picked * picked.adjoint();
+  // 4000 trials scatter the covariance by 1.6 %. The weights of the hits are those of the whole spectrum, and the
+  // contact changes them by 2 % at single lines.
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    for (Eigen::Index j = 0; j < 6; ++j) {
+      const double size = std::sqrt(std::abs(measured(i, i) * measured(j, j)));
+      EXPECT_LE(std::abs(measured(i, j) - expected(i, j)), 0.07 * size) << i << ' ' << j;
+    }
+  }
+  const Eigen::MatrixXcd all = gain_errors(set, 0, all_lines(set));
+  const double std = gain_std(set, 0, set.lines.freq_Hz(4000));
+  EXPECT_LE(std::abs(all.row(4000).squaredNorm() / (2 * std * std) - 1), 1e-9);
+}
+
 TEST(GainErrors, AreEmptyWithoutNoiseOrForce) {
   FrfDataset set = gated_hit();
   set.points[0].noise_N = 0;

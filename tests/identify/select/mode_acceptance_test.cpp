@@ -44,6 +44,37 @@ TEST(ModeAcceptance, TakesNoModeFromTheForceNoise) {
     EXPECT_EQ(fit_sequentially(measured(0, seed)).size(), 1U) << seed;
 }
 
+// The force of two hits; the second hit has a second contact 300 samples after the pulse, within a part of the gate of
+// its own.
+void set_two_part_gate(FrfDataset& set) {
+  test::set_gated_pulse(set, kNoise_N);
+  std::vector<frf::ForceBlock> blocks(2, set.points[0].blocks[0]);
+  std::vector<double>& twice = blocks[1].force_N;
+  twice.resize(300);
+  for (std::size_t n = 0; n < 30; ++n) twice.push_back(0.01);
+  std::vector<frf::Spectrum> spectra;
+  for (const frf::ForceBlock& block : blocks)
+    spectra.push_back(test::make_spectrum(frf::force_spectrum(block, set.lines)));
+  set.points[0] = point_force(blocks, spectra, set.lines, kNoise_N);
+}
+
+// The force's noise in the strong FRFs can fit a pole whose small residue in a weak FRF is the response's noise. It
+// does so with these two of 150 seeds.
+TEST(ModeAcceptance, TakesNoModeFromTheNoiseOfASecondContact) {
+  for (const std::uint64_t seed : {42U, 101U}) {
+    FrfDataset set = test::empty_set(8192, 8192, 60, 2400, 3);
+    set_two_part_gate(set);
+    constexpr double kShape[] = {1, -0.8, 0.03}, kOther[] = {0.5, 0.6, -0.7};
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      test::add_mode(set, channel, kStrong, kShape[channel]);
+      test::add_mode(set, channel, {900, 0.003}, kOther[channel]);
+    }
+    test::add_random_gain(set, seed);
+    test::add_frf_noise(set, 0.01, seed + 1000);
+    EXPECT_EQ(fit_sequentially(set).size(), 2U) << seed;
+  }
+}
+
 // Two modes lie little more than a line apart, and one mode cannot describe both. During the search such a mode is
 // accepted, so that its partner can be found. After the search it is not.
 TEST(ModeAcceptance, KeepsAPeakDuringTheSearchWhereTheModeBesideItIsMissing) {
