@@ -71,13 +71,15 @@ void add_not_free(const DeflectionResults& test, std::vector<Warning>& out) {
   if (count == 0) return;
   out.push_back(with_remedy(
       {"not_free",
-       fmt::format("{} of {} deflections do not move as a free body of the stated effective mass: the integral of the "
-                   "acceleration contradicts it. Each ± includes the difference, which grows with time; the value "
-                   "stated is from before, and larger ones may follow. Possible causes: a suspension that pulls the "
-                   "structure back, a wrong mass, an accelerometer whose zero shifts or that has a high-pass",
-                   count, test.deflections.size()),
+       fmt::format(
+           "{} of {} deflections do not move as a free body of the stated mass: the integral of the acceleration "
+           "contradicts it. Each ± includes the difference, which grows with time; the value stated is from "
+           "before, and larger ones may follow. Possible causes: a suspension that pulls the structure back, a "
+           "wrong mass, a sensor that does not lie along the blow, an accelerometer whose zero shifts or that "
+           "has a high-pass",
+           count, test.deflections.size()),
        {"method", "effective_mass"}},
-      "choose the method drift-free, or check the effective mass"));
+      "choose the method drift-free, or check the mass"));
 }
 
 // Hits before which the structure was not at rest. The modal method gives the deflection of this blow alone. The other
