@@ -67,6 +67,23 @@ void remove_consequences_of_window(std::vector<Warning>& warnings) {
   remove_code(warnings, "hits_differ");
 }
 
+// What other warnings say may be the cause of a misfit.
+void name_known_causes(std::vector<Warning>& warnings, bool decay_missing) {
+  const auto delayed = [](const Warning& warning) { return warning.code == "skew" && !warning.remedy.empty(); };
+  const bool skew = std::any_of(warnings.begin(), warnings.end(), delayed);
+  if (!skew && !decay_missing) return;
+  const char* const causes = !skew           ? "the missing decay"
+                             : decay_missing ? "the missing decay and the delay between the channels"
+                                             : "the delay between the channels";
+  for (Warning& warning : warnings) {
+    if (warning.code != "local_fits" && warning.code != "model_misfit") continue;
+    const std::string remedy = std::exchange(warning.remedy, {});  // ends the message, after "; "
+    warning.message.resize(warning.message.size() - remedy.size() - 2);
+    warning.message += std::string(". First see the other warnings about ") + causes + ", which may cause this";
+    warning = with_remedy(std::move(warning), remedy);
+  }
+}
+
 }  // namespace
 
 // The hits, and what several groups of warnings need to know of them.
@@ -138,14 +155,14 @@ std::vector<Warning> Analysis::warnings_of_channels(const HitEvidence& evidence)
 std::vector<Warning> Analysis::warnings_of_modes(const HitEvidence& evidence) const {
   const bool force_known = given_frfs() == nullptr;
   const bool user_chose_modes = options_.modes.modes.has_value() || !options_.modes.start_Hz.empty();
-  std::vector<Warning> out =
-      freq_scatter_warnings(modes(), force_known ? order_of_points(evidence.graded) : std::map<int, double>{});
-  append(out, hit_scatter_warnings(modes(), residual_end_Hz_));
+  std::vector<Warning> out = freq_scatter_warnings(
+      modes(), force_known ? order_of_points(evidence.graded) : std::map<int, double>{}, force_known);
+  append(out, hit_scatter_warnings(modes(), residual_end_Hz_, force_known));
   append(out, mass_loading_warnings(modes()));
   append(out, force_known ? truncation_warnings(modes(), lines(), window_decay_per_s(), decay_cut())
                           : frf_truncation_warnings(modes(), lines(), window_decay_per_s(), before_blow_s_));
   append(out, no_modes_warnings(modes(), band_Hz(), !options_.modes.start_Hz.empty()));
-  if (!user_chose_modes) append(out, local_fit_warnings(modes()));
+  if (!user_chose_modes) append(out, local_fit_warnings(modes(), force_known));
   append(out, refused_start_warnings(refused_starts_));
   append(out, joined_mode_warnings(joined_modes_));
   if (!user_chose_modes) {
@@ -180,6 +197,8 @@ std::vector<Warning> Analysis::warnings() const {
     append(out, split_mode_warnings(modes(), classifications()));
     append(out, three_wave_warnings(modes(), classifications()));
   }
+  // Records whose force is known, or whose FRFs show the time of the blow: the fit allows for the missing decay.
+  name_known_causes(out, given_frfs() != nullptr && !before_blow_s_ && has_code(out, "truncated_decay"));
   remove_consequences_of_window(out);
   if (has_reversed_phase(record())) remove_consequences_of_reversed_phase(out);
   // Responses that are noise differ from hit to hit.

@@ -176,12 +176,11 @@ std::vector<DeflectedHit> hit_deflections(const Analysis& analysis, const TestIm
   std::vector<DeflectedHit> out(reader.size());
   parallel_for(out.size(), threads, [&](std::size_t i) {
     HitSignals hit = reader.signals(i);
-    if (integrates) {
-      hit.impact.flicker_strength = strengths[i % channels];
-      hit.impact.level = reader.level(i);
-    }
+    if (integrates) hit.impact.flicker_strength = strengths[i % channels];
+    if (integrates || options.effective_mass_kg) hit.impact.level = reader.level(i);
     hit.impact.motion = std::exchange(evidence[i].motion, nullptr);  // as large as the deflection that it becomes
     metrics::DeflectionOptions chosen = options.deflection;
+    chosen.moves_before = reader.moving(i);
     if (automatic && reader.moving(i) && !hit.impact.modes.empty()) chosen.method = metrics::DeflectionMethod::modal;
     out[i] = {.hit = reader.hit(i),
               .channel = i % channels,

@@ -14,6 +14,7 @@
 #include "identify/classify/asymmetry_split.hpp"
 #include "identify/start/cmif.hpp"
 #include "pipeline/radial_shape.hpp"
+#include "pipeline/shapes_in_hits.hpp"
 #include "pipeline/warnings/channel_warnings.hpp"
 #include "pipeline/warnings/ranking.hpp"
 #include "pipeline/warnings/reference_warnings.hpp"
@@ -305,7 +306,12 @@ std::vector<identify::ModeClassification> Survey::classify_by_shapes() const {
 }
 
 const std::vector<std::vector<identify::Mac>>& Survey::macs() const {
-  return within_budget(analysis_.budget(), macs_, [&] { return identify::auto_mac(shapes()); });
+  return within_budget(analysis_.budget(), macs_, [&] {
+    const std::vector<identify::ModeShape>& found = shapes();
+    const SurveyModes& listed = split_modes();
+    return analysis_.trace().run(
+        "auto MAC", [&] { return identify::auto_mac(found, shapes_in_hits(analysis_, listed, found, roving_)); });
+  });
 }
 
 acquire::LineRange Survey::band() const { return analysis_.band_lines(); }

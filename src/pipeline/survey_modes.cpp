@@ -116,9 +116,11 @@ void remove_consequences_of_pairs(const Analysis& analysis, const SurveyModes& s
   if (!any_resolved(survey)) return;
   constexpr std::array<std::string_view, 4> kOfModes{"moving_modes", "hits_differ", "local_fits", "model_misfit"};
   const bool alone = survey.modes.size() - 2 * survey.pairs.size() >= kMinClockModes;
+  const bool force_known = analysis.given_frfs() == nullptr;
   std::vector<Warning> again = freq_scatter_warnings(
-      survey.modes, analysis.given_frfs() == nullptr ? order_of_points(analysis.hits()) : std::map<int, double>{});
-  for (std::vector<Warning> more : {hit_scatter_warnings(survey.modes), local_fit_warnings(survey.modes)})
+      survey.modes, force_known ? order_of_points(analysis.hits()) : std::map<int, double>{}, force_known);
+  for (std::vector<Warning> more :
+       {hit_scatter_warnings(survey.modes, std::nullopt, force_known), local_fit_warnings(survey.modes, force_known)})
     again.insert(again.end(), more.begin(), more.end());
   for (const std::string_view code : kOfModes) {
     const auto has_code = [&](const Warning& warning) { return warning.code == code; };

@@ -24,6 +24,8 @@ constexpr std::ptrdiff_t kQuietAfterGlitch = 64;  // … if this many samples at
 constexpr std::size_t kMinLevel = 64;             // samples that give a sensor's level
 constexpr double kByLine = 0.5;                   // of the peak: a line that makes so much of it …
 constexpr double kNoBias = 5;                     // … and so many standard deviations is no bias of the sensor
+constexpr double kRigidContradicted = 5;          // standard deviations between the rigid-body motion and the integral
+constexpr double kRelevant = 0.02;                // of the largest deflection: modes beyond the band make less
 constexpr double kLowestShare = 0.5;              // default lowest frequency over the frequency of the strongest line
 
 double largest_magnitude(std::span<const double> x) { return extremes_of(x).max_distance_from(0); }
@@ -233,6 +235,35 @@ double unexplained_share(std::span<const double> accel_mps2, std::span<const dou
   return unexplained > 0 ? std::sqrt(unexplained / (unexplained + explained)) : 0;
 }
 
+// Compares a modal deflection with rigid-body motion to the double integral of the acceleration, without assuming a
+// position of rest. A suspension pulls a body back, while the stated motion goes on for ever. The largest difference so
+// far is then part of the standard deviation.
+void add_contradiction(const ImpactSignal& signal, const DeflectionOptions& options, Deflection& modal) {
+  if (options.moves_before || samples_at_rest(signal) < kMinBefore) return;
+  ImpactSignal measured = signal;
+  measured.rigid_per_kg = 0;
+  DeflectionOptions free = options;
+  free.free_body = true;
+  const Deflection integral = drift_free(measured, free, signal.level.has_value()).deflection;
+  const std::size_t samples = std::min(integral.deflection_m.size(), modal.deflection_m.size());
+  const auto apart_m = [&](std::size_t i) { return std::abs(modal.deflection_m[i] - integral.deflection_m[i]); };
+  const double relevant_m = kRelevant * largest_magnitude(modal.deflection_m);
+  bool contradicted = false;
+  double most_std_m = 0;  // of the modes so far: where they swing through zero, what they miss does not vanish
+  for (std::size_t i = 0; i < samples; ++i) {
+    most_std_m = std::max(most_std_m, modal.std_m[i]);
+    const double limit_m = kRigidContradicted * std::hypot(most_std_m, integral.std_m[i]);
+    contradicted = contradicted || apart_m(i) > std::max(relevant_m, limit_m);
+  }
+  if (!contradicted) return;
+  modal.rigid_motion_contradicted = true;
+  double most_m = 0;
+  for (std::size_t i = 0; i < samples; ++i) {
+    most_m = std::max(most_m, apart_m(i));
+    modal.std_m[i] = std::hypot(modal.std_m[i], most_m);
+  }
+}
+
 Deflection by_modes(const ImpactSignal& signal, const DeflectionOptions& options) {
   assert(!signal.force_N.empty());
   ModalDeflection modal =
@@ -240,12 +271,16 @@ Deflection by_modes(const ImpactSignal& signal, const DeflectionOptions& options
   const double missing = unexplained_share(signal.accel_mps2, modal.accel_mps2);
   for (std::size_t i = 0; i < modal.std_m.size(); ++i)
     modal.std_m[i] = std::hypot(modal.std_m[i], missing * modal.deflection_m[i]);
-  return {.method = DeflectionMethod::modal,
-          .velocity_mps = std::move(modal.velocity_mps),
-          .deflection_m = std::move(modal.deflection_m),
-          .std_m = std::move(modal.std_m),
-          .rigid_motion_left_out =
-              !(signal.rigid_per_kg > 0) && !drift_free(signal, options).deflection.zero_mean_corrected};
+  Deflection out{.method = DeflectionMethod::modal,
+                 .velocity_mps = std::move(modal.velocity_mps),
+                 .deflection_m = std::move(modal.deflection_m),
+                 .std_m = std::move(modal.std_m)};
+  if (signal.rigid_per_kg > 0) {
+    add_contradiction(signal, options, out);
+  } else {
+    out.rigid_motion_left_out = !drift_free(signal, options).deflection.zero_mean_corrected;
+  }
+  return out;
 }
 
 }  // namespace

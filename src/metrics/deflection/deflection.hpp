@@ -45,6 +45,7 @@ struct DeflectionOptions {
   double highpass_corner_Hz = 0;    // first-order corner of the charge amplifier; 0: none
   std::optional<double> lowest_Hz;  // for `frequency`; default: half the frequency of the deflection's largest line
   bool free_body = false;           // the structure may move away and need not return to its position of rest
+  bool moves_before = false;  // the structure already moves before the impact: not all of its motion is the blow's
 };
 
 struct Deflection {
@@ -62,6 +63,9 @@ struct Deflection {
   bool larger_later = false;  // larger values follow the peak, but their standard deviation grows faster than they
   // modal only: rigid-body motion is left out, and the record does not show that the structure returns to rest
   bool rigid_motion_left_out = false;
+  // modal only: the integral of the acceleration contradicts the stated rigid-body motion; the standard deviation
+  // includes the difference
+  bool rigid_motion_contradicted = false;
   double forward_m = 0, forward_std_m = 0;  // the peak in the direction of the first motion; signed
   // The deflection that bias and drift cause at the last sample: for drift_free its standard deviation, for
   // small_interval its value; 0 for the other methods.
@@ -79,7 +83,9 @@ struct Deflection {
 ///                   includes the line's difference from the sensor's level.
 ///   small_interval  first-order sums from the impact on (small_interval_sums), without any correction
 ///   frequency       division in the frequency domain, line by line
-///   modal           the response of the modes to the force
+///   modal           the response of the modes to the force. With rigid-body motion it is compared with the integral
+///                   of the acceleration (Deflection::rigid_motion_contradicted): a body hung on a suspension is free
+///                   only for a part of the suspension's period
 ///   automatic       modal where force and modes are known and the record does not show the structure at rest before
 ///                   the impact; otherwise drift_free
 /// Precondition: modal needs force and modes. shapes [samples].

@@ -39,8 +39,9 @@ std::vector<OptionId> options_against_unknown(const DeflectionResults& test) {
 
 // Motion that the largest deflections stated do not show.
 void add_motion_left_out(const DeflectionResults& test, std::vector<Warning>& out) {
-  const auto growing = std::count_if(test.deflections.begin(), test.deflections.end(),
-                                     [](const auto& of) { return of.deflection->larger_later; });
+  const auto growing = std::count_if(test.deflections.begin(), test.deflections.end(), [](const auto& of) {
+    return of.deflection->larger_later && !of.deflection->rigid_motion_contradicted;
+  });
   if (growing > 0) {
     out.push_back(with_remedy(
         {"larger_later",
@@ -57,9 +58,28 @@ void add_motion_left_out(const DeflectionResults& test, std::vector<Warning>& ou
     out.push_back(with_remedy({"modes_alone",
                                "the modal deflections hold the vibration of the identified modes alone: the rigid-body "
                                "motion of a free structure is left out",
-                               {"effective_mass"}},
-                              "for a free structure, state its effective mass at the struck point"));
+                               {"effective_mass", "method"}},
+                              "if the structure is free for the whole record, state its effective mass at the struck "
+                              "point; if a suspension pulls it back within the record, choose the method drift-free"));
   }
+}
+
+// Modal deflections with the motion of a free body that the acceleration contradicts.
+void add_not_free(const DeflectionResults& test, std::vector<Warning>& out) {
+  const auto count = std::count_if(test.deflections.begin(), test.deflections.end(),
+                                   [](const auto& of) { return of.deflection->rigid_motion_contradicted; });
+  if (count == 0) return;
+  out.push_back(with_remedy(
+      {"not_free",
+       fmt::format(
+           "{} of {} deflections do not move as a free body of the stated mass: the integral of the acceleration "
+           "contradicts it. Each ± includes the difference, which grows with time; the value stated is from "
+           "before, and larger ones may follow. Possible causes: a suspension that pulls the structure back, a "
+           "wrong mass, a sensor that does not lie along the blow, an accelerometer whose zero shifts or that "
+           "has a high-pass",
+           count, test.deflections.size()),
+       {"method", "effective_mass"}},
+      "choose the method drift-free, or check the mass"));
 }
 
 // Hits before which the structure was not at rest. The modal method gives the deflection of this blow alone. The other
@@ -186,6 +206,7 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
                               remedy_against_unknown(test)));
   }
   add_motion_left_out(test, out);
+  add_not_free(test, out);
   const bool drifts = std::any_of(test.deflections.begin(), test.deflections.end(), [](const auto& of) {
     return of.deflection->method == metrics::DeflectionMethod::drift_free && !of.deflection->zero_mean_corrected;
   });

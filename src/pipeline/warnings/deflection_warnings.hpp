@@ -32,7 +32,7 @@ struct DeflectionResults {
 };
 
 /// no_pulse, response_clipped, ac_coupling, no_rest, not_at_rest, earlier_ringing, not_told, larger_later, modes_alone,
-/// drift.
+/// not_free, drift.
 std::vector<Warning> deflection_warnings(const DeflectionResults& test);
 
 }  // namespace percuss::pipeline

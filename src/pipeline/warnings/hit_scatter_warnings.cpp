@@ -140,10 +140,12 @@ double chance_of_scatter(const std::vector<Mode>& modes) {
   return least;
 }
 
-Warning misfit_warning(const std::string& list, const Mode& first, std::optional<double> residual_end_Hz) {
+Warning misfit_warning(const std::string& list, const Mode& first, std::optional<double> residual_end_Hz,
+                       bool force_known) {
   std::string text =
       "the residual of the fit has structure that the fitted modes do not explain, and determines the ± of: " + list;
   const std::string causes =
+      std::string(force_known ? "" : "the noise of the force, if it had no force window, ") +
       "frequency or damping that changes during the decay (with the amplitude or with time), a weak mode beside a "
       "strong one, a sensor's or filter's own response";
   if (!residual_end_Hz) {
@@ -198,7 +200,8 @@ double much_misfit(const Mode& mode) {
   return std::max(over(mode.freq_std_parts_Hz), over(mode.damping_std_parts));
 }
 
-std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes, std::optional<double> residual_end_Hz) {
+std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes, std::optional<double> residual_end_Hz,
+                                          bool force_known) {
   std::vector<Warning> out;
   const std::string amplitude = named_modes(modes, amplitude_rank, amplitude_text), drift = drift_text(modes);
   std::string unexplained =
@@ -231,7 +234,7 @@ std::vector<Warning> hit_scatter_warnings(const std::vector<Mode>& modes, std::o
   }
   const std::string misfit = named_modes(
       modes, much_misfit, [](const Mode& mode) { return fmt::format("({:.2g} times the noise)", much_misfit(mode)); });
-  if (!misfit.empty()) out.push_back(misfit_warning(misfit, modes.front(), residual_end_Hz));
+  if (!misfit.empty()) out.push_back(misfit_warning(misfit, modes.front(), residual_end_Hz, force_known));
   return out;
 }
 

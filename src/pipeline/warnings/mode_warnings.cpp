@@ -25,6 +25,10 @@ constexpr double kMaxDampingBelow = 0.1;      // drift and the baseline make bro
 constexpr double kToneLines = 2;              // from a tone to the peak that it leaves
 constexpr double kToneWanders = 0.01;         // of the frequency: the same for a tone that wanders
 
+// Of FRFs that were given. Noise of the whole record scatters an FRF around each resonance, where the force is small
+// beside it.
+constexpr const char* kForceNoise = "the noise of the force, if it had no force window";
+
 const char* separator(const std::string& list) { return list.empty() ? "" : ", "; }
 
 // The end of a list that names the first kMaxListedEntries of `count` entries.
@@ -100,8 +104,8 @@ std::map<int, double> order_of_points(const std::vector<AnalysedHit>& hits) {
   return mean;
 }
 
-std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& modes,
-                                           const std::map<int, double>& order) {
+std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& modes, const std::map<int, double>& order,
+                                           bool force_known) {
   std::vector<double> drifts;
   for (const identify::Mode& mode : modes) {
     if (mode.drift) drifts.push_back(mode.drift->freq_change_per_hit);
@@ -119,12 +123,16 @@ std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& mo
   return {with_remedy({"moving_modes", "natural frequencies differ from point to point: " + list +
                                            (drifting ? ". The drift from hit to hit does not explain this" : "") +
                                            ". The means over the points are quoted, and their ± includes the "
-                                           "scatter. Possible causes: temperature, the strength of the hits, a sensor "
-                                           "that was moved"},
-                      "measure all points in one session, with equal hits and fixed sensors")};
+                                           "scatter. Possible causes: " +
+                                           (force_known ? "" : std::string(kForceNoise) + ", ") +
+                                           "temperature, the strength of the hits, a sensor that was moved"},
+                      force_known
+                          ? "measure all points in one session, with equal hits and fixed sensors"
+                          : "use a force window, and measure all points in one session, with equal hits and fixed "
+                            "sensors")};
 }
 
-std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes) {
+std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes, bool force_known) {
   std::string list;
   std::size_t count = 0, unsettled = 0;
   for (const identify::Mode& mode : modes) {
@@ -155,9 +163,9 @@ std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes
       {"local_fits",
        fmt::format(
            "around {} of {} modes, all modes together leave at least ten times the residual energy of local "
-           "fits: {}.{}. Possible causes: a mode that is missing, a strong mode beyond the band, frequencies or "
+           "fits: {}.{}. Possible causes: {}a mode that is missing, a strong mode beyond the band, frequencies or "
            "damping that change during the record",
-           count, modes.size(), list, values),
+           count, modes.size(), list, values, force_known ? "" : std::string(kForceNoise) + ", "),
        {"band", "start"}},
       "analyse a narrower band around these modes, extend the band past a strong mode beyond it, or state a starting "
       "frequency for a missing one")};

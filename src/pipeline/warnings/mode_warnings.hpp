@@ -23,9 +23,10 @@ std::map<int, double> order_of_points(const std::vector<AnalysedHit>& hits);
 
 /// moving_modes: frequencies that differ from point to point, unless the drift over the order of the hits explains 90 %
 /// of the variance: `drifting` then names the cause. A mode without a drift of its own has the median of the others'.
-/// order  as order_of_points(); empty where the hits are not known
+/// order        as order_of_points(); empty where the hits are not known
+/// force_known  false for FRFs that were given: the noise of their force is not known, and may be the cause
 std::vector<Warning> freq_scatter_warnings(const std::vector<identify::Mode>& modes,
-                                           const std::map<int, double>& order = {});
+                                           const std::map<int, double>& order = {}, bool force_known = true);
 
 /// no_modes: no mode was found. `started`: the user stated starting frequencies.
 std::vector<Warning> no_modes_warnings(const std::vector<identify::Mode>& modes, std::pair<double, double> band_Hz,
@@ -45,7 +46,8 @@ bool is_split_hoop(const std::vector<identify::Mode>& modes,
                    const std::vector<identify::ModeClassification>& classifications, std::size_t m);
 
 /// local_fits: modes around which the joint fit leaves more residual than their local fit.
-std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes);
+/// force_known  as for freq_scatter_warnings()
+std::vector<Warning> local_fit_warnings(const std::vector<identify::Mode>& modes, bool force_known = true);
 
 /// unmodelled_poles: stable poles within the band whose resonance no mode describes (identify::unmodelled_poles).
 std::vector<Warning> unmodelled_pole_warnings(std::vector<identify::Pole> poles, std::pair<double, double> band_Hz);

@@ -97,6 +97,7 @@ constexpr auto kRanking = std::to_array<RankedCode>({
     {"hammer_as_response", Severity::warn},
     {"not_told", Severity::warn},
     {"modes_alone", Severity::warn},
+    {"not_free", Severity::warn},
     {"larger_later", Severity::warn},
     {"drift", Severity::warn},
     {"no_rest", Severity::warn},

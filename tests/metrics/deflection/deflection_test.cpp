@@ -217,6 +217,44 @@ TEST(Deflection, FromModesSaysThatItLeavesOutRigidBodyMotion) {
   EXPECT_FALSE(deflection_of(signal, {.method = DeflectionMethod::modal}).rigid_motion_left_out);
 }
 
+// A bat hung on rubber bands is free for a part of their period alone; afterwards they pull it back.
+TEST(Deflection, FromModesContradictsAFreeBodyThatASuspensionPullsBack) {
+  constexpr double kFs_Hz = 12800, kMass_kg = 0.25;
+  constexpr std::size_t kSamples = 7680;  // 0.6 s
+  const std::vector<synth::SynthPole> poles{{3, 0.05}, {170, 0.005}};
+  const synth::PulseBasis basis =
+      synth::pulse_basis({.onset_s = 0.1, .width_s = 0.001, .peak_N = 250}, kFs_Hz, poles, 0, kSamples);
+  std::vector<double> force(kSamples), hung(kSamples), free(kSamples);
+  std::copy(basis.force_N.begin(), basis.force_N.end(), force.begin() + static_cast<std::ptrdiff_t>(basis.first));
+  std::mt19937 random(3);
+  std::normal_distribution<double> gauss;
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    hung[i] = free[i] = 0.3 + 0.3 * gauss(random);
+    if (i < basis.first) continue;
+    const std::size_t k = i - basis.first;
+    const auto by_pole = [&](std::size_t m) { return k < basis.regular_N[m].size() ? basis.regular_N[m][k] : 0; };
+    hung[i] += (force[i] + by_pole(0)) / kMass_kg + 3 * (force[i] + by_pole(1));
+    free[i] += force[i] / kMass_kg + 3 * (force[i] + by_pole(1));
+  }
+  const ModalContribution bending{.pole = {170, 0.005}, .residue_per_kg = 3};
+  const ModalContribution suspension{.pole = {3, 0.05}, .residue_per_kg = 1 / kMass_kg};
+  ImpactSignal signal{.fs_Hz = kFs_Hz,
+                      .accel_mps2 = hung,
+                      .onset_s = 0.1,
+                      .force_N = force,
+                      .rigid_per_kg = 1 / kMass_kg,
+                      .modes = {bending}};
+  const Deflection found = deflection_of(signal, {.method = DeflectionMethod::modal});
+  const auto truth = modal_deflection(force, kFs_Hz, {bending, suspension}, 0).deflection_m;
+  EXPECT_TRUE(found.rigid_motion_contradicted);
+  EXPECT_NEAR(found.peak_m, truth[found.peak], 3 * found.peak_std_m);
+  EXPECT_NEAR(found.deflection_m.back(), truth.back(), 3 * found.std_m.back());
+  EXPECT_FALSE(
+      deflection_of(signal, {.method = DeflectionMethod::modal, .moves_before = true}).rigid_motion_contradicted);
+  signal.accel_mps2 = free;
+  EXPECT_FALSE(deflection_of(signal, {.method = DeflectionMethod::modal}).rigid_motion_contradicted);
+}
+
 // A body that moves away has no largest deflection. The peak is then the value that exceeds four times its ± by most.
 TEST(Deflection, SaysThatTheMotionGoesOnAfterTheLargestValue) {
   Impact test = impact(20000, 0.005);

@@ -102,6 +102,15 @@ TEST(HitScatterWarnings, NameAModeBeyondTheLinesFirstWhereTheResidualGrowsToward
   EXPECT_THAT(misfit_of({}), testing::HasSubstr("structure that the fitted modes do not explain"));
 }
 
+TEST(HitScatterWarnings, NameTheNoiseOfAnUnknownForce) {
+  identify::Mode mode;
+  mode.pole = {.freq_Hz = 743.2, .damping_ratio = 0.0168};
+  mode.freq_std_parts_Hz = {.noise = 1e-3, .hits = 0, .misfit = 32e-3};
+  const std::string noise = "the noise of the force";
+  EXPECT_THAT(hit_scatter_warnings({mode}, std::nullopt, false).at(0).message, testing::HasSubstr(noise));
+  EXPECT_THAT(hit_scatter_warnings({mode}).at(0).message, testing::Not(testing::HasSubstr(noise)));
+}
+
 std::string drift_of(const std::vector<double>& change_per_hit) {
   std::vector<identify::Mode> modes(change_per_hit.size());
   for (std::size_t m = 0; m < modes.size(); ++m) {

@@ -50,6 +50,11 @@ TEST(LocalFitWarnings, BlameNothingWhereTheJointFitDidNotConverge) {
   EXPECT_THAT(local_fit_warnings(misfitting_modes(3)).at(0).message, HasSubstr("Possible causes: a mode that is"));
 }
 
+TEST(LocalFitWarnings, NameTheNoiseOfAnUnknownForce) {
+  EXPECT_THAT(local_fit_warnings(misfitting_modes(3), false).at(0).message,
+              HasSubstr("Possible causes: the noise of the force, if it had no force window, a mode that is"));
+}
+
 // A peak that the removal of a tone left is no mode.
 TEST(UnmodelledPeakWarnings, NameTheTonesAmongThePeaks) {
   constexpr std::pair<double, double> kBand_Hz{60, 1300};
@@ -117,6 +122,13 @@ TEST(FreqScatterWarnings, LeaveTheCauseToADriftThatExplainsTheScatter) {
   EXPECT_THAT(warnings_of(drifting, std::nullopt).at(0).message, HasSubstr("100.0 Hz (by 0.01 Hz), 200.0 Hz"));
   EXPECT_FALSE(warnings_of(drifting, -kDrift).empty());
   EXPECT_FALSE(freq_scatter_warnings(drifting.modes).empty());  // hits that are not known
+}
+
+TEST(FreqScatterWarnings, NameTheNoiseOfAnUnknownForce) {
+  const ScatteringTest test = scattering_test([](double hit) { return std::fmod(hit, 2) < 1 ? 1e-4 : -1e-4; });
+  EXPECT_THAT(freq_scatter_warnings(test.modes, {}, false).at(0).message,
+              HasSubstr("Possible causes: the noise of the force, if it had no force window, temperature"));
+  EXPECT_THAT(freq_scatter_warnings(test.modes).at(0).message, HasSubstr("Possible causes: temperature"));
 }
 
 // A line explains three quarters of the variance of a step.
