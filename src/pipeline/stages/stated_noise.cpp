@@ -111,56 +111,86 @@ bool is_shared(const NoiseAtMode& noise) {
   return noise.residual * (1 + kSignificantShare / std::sqrt(noise.freedom)) < noise.stated;
 }
 
-// The stated deviations of the lines of the resonance as the scatter of the residue, relative to it.
-double relative_gain_std(const identify::Mode& mode, std::size_t frf, const identify::FrfDataset& set,
-                         const std::vector<double>& std, std::size_t offset) {
-  const NoiseWindow window = noise_window_around(mode, set.lines);
-  const ModeChanges changes = changes_with(mode.pole, set.lines, set.window_decay_per_s(), window);
-  const double half2 =
-      std::norm(mode.residues[frf].value) / 4;  // near its pole, a mode is half of residue times change
+// The stated deviations of the lines of the resonance as the scatter of a residue.
+struct GainScatter {
   double stated = 0, energy = 0;
+  double relative2() const { return energy > 0 ? stated / energy : 0; }
+};
+
+GainScatter gain_scatter(Complex residue, const ModeChanges& changes, const NoiseWindow& window,
+                         const std::vector<double>& std, std::size_t offset) {
+  const double half2 = std::norm(residue) / 4;  // near its pole, a mode is half of residue times change
+  GainScatter gain;
   for (std::size_t k = window.first; k < window.end; ++k) {
     const double value2 = half2 * std::norm(changes.residue(static_cast<Index>(k - window.first)));
-    stated += value2 * std[offset + k] * std[offset + k];
-    energy += value2 * value2;
+    gain.stated += value2 * std[offset + k] * std[offset + k];
+    gain.energy += value2 * value2;
   }
-  return energy > 0 ? std::sqrt(stated / energy) : 0;
+  return gain;
 }
 
-// Sums of FRFs that share their hits: for one mode, or for all.
+// What the FRFs of a point say of a mode. They share their hits.
 struct PointScatter {
-  double weight = 0;  // of the point's FRFs in the fit of the mode
+  double weight = 0;  // of the FRFs in the fit of the mode
   double evidence = 0, weighted = 0;
+  GainScatter gain;
 
   void add(const PoleScatter& one) {
     if (!(one.std > 0)) return;
     evidence += 1 / (one.std * one.std);
     weighted += one.variance / (one.std * one.std);
   }
-  void add(const PointScatter& other) {
-    evidence += other.evidence;
-    weighted += other.weighted;
-  }
-  double mean() const { return evidence > 0 ? weighted / evidence : 0; }
-  double uncertainty() const { return evidence > 0 ? kSignificantShare / std::sqrt(evidence) : 0; }
 };
-
-// What `own` lines say of a mode's pole at a point. Hits usually differ in the same proportion at all modes, as by
-// their temperature: a mode whose lines cannot tell takes what `all` modes say, as far as its lines allow it.
-double variance_of_hits(const PointScatter& own, const PointScatter& all) {
-  if (own.mean() > own.uncertainty()) return own.mean();
-  if (!(all.mean() > all.uncertainty())) return 0;
-  return own.evidence > 0 ? std::clamp(own.mean() + own.uncertainty(), 0.0, all.mean()) : all.mean();
-}
 
 using Points = std::map<std::size_t, PointScatter>;
 
-void add_hits(const Points& own, const Points& all, identify::Mode& mode) {
-  double weights = 0, variance = 0;
-  for (const auto& [point, of] : own) weights += of.weight;
-  if (!(weights > 0)) return;
-  for (const auto& [point, of] : own)
-    variance += std::pow(of.weight / weights, 2) * variance_of_hits(of, all.at(point));
+// The residues scatter by what the channels of a point have in common, and by the rest of each.
+void add_gains(const Points& points, const std::map<std::size_t, GainScatter>& of_residues, identify::Mode& mode) {
+  for (const auto& [o, own] : of_residues) {
+    identify::Residue& residue = mode.residues[o];
+    const double rest2 = std::max(0.0, own.relative2() - points.at(residue.point).gain.relative2());
+    residue.std = std::hypot(residue.std, std::sqrt(rest2) * std::abs(residue.value));
+  }
+  for (identify::Residue& residue : mode.residues)
+    residue.relative_std = std::hypot(residue.relative_std, std::sqrt(points.at(residue.point).gain.relative2()));
+}
+
+// The scatter of a mode's pole: the mean of the points, each with its own hits.
+PoleScatter mean_of_points(const Points& points) {
+  double weights = 0, all2 = 0, known2 = 0;
+  for (const auto& [point, of] : points) weights += of.weight;
+  PoleScatter mean;
+  for (const auto& [point, of] : points) {
+    const double share2 = std::pow(of.weight / weights, 2);
+    all2 += share2;
+    if (!(of.evidence > 0)) continue;
+    known2 += share2;
+    mean.variance += share2 * of.weighted / of.evidence;
+    mean.std = std::hypot(mean.std, share2 / std::sqrt(of.evidence));
+  }
+  if (!(known2 > 0) || !std::isfinite(mean.variance)) return {};
+  return {.variance = mean.variance * all2 / known2, .std = mean.std * all2 / known2};
+}
+
+PoleScatter mean_of_modes(const std::vector<PoleScatter>& modes) {
+  double evidence = 0, weighted = 0;
+  for (const PoleScatter& one : modes) {
+    if (!(one.std > 0)) continue;
+    evidence += 1 / (one.std * one.std);
+    weighted += one.variance / (one.std * one.std);
+  }
+  return evidence > 0 ? PoleScatter{.variance = weighted / evidence, .std = 1 / std::sqrt(evidence)} : PoleScatter{};
+}
+
+// Hits usually differ in the same proportion at all modes, as by their temperature: a mode whose lines cannot tell
+// takes what `all` modes say, as far as its lines allow it.
+double variance_of_hits(const PoleScatter& own, const PoleScatter& all) {
+  if (own.variance > kSignificantShare * own.std) return own.variance;
+  if (!(all.variance > kSignificantShare * all.std)) return 0;
+  return own.std > 0 ? std::clamp(own.variance + kSignificantShare * own.std, 0.0, all.variance) : all.variance;
+}
+
+void add_hits(double variance, identify::Mode& mode) {
   if (!(variance > 0)) return;
   const double relative = std::sqrt(variance);
   mode.freq_std_parts_Hz.hits = std::hypot(mode.freq_std_parts_Hz.hits, relative * mode.pole.freq_Hz);
@@ -177,8 +207,7 @@ void widen_to_stated_noise(const acquire::FrfRecord& given, const identify::FrfD
   if (std::all_of(given.frfs.begin(), given.frfs.end(), states_none)) return;
   const std::vector<identify::SynthesisedFrf> fits = identify::synthesised_frfs(set, modes, set.lines);
   const std::size_t offset = set.lines.first - given.lines.first;
-  std::vector<Points> of_modes(modes.size());
-  Points of_all;
+  std::vector<PoleScatter> hits(modes.size());
   for (std::size_t m = 0; m < modes.size(); ++m) {
     identify::Mode& mode = modes[m];
     const NoiseWindow window = noise_window_around(mode, set.lines);
@@ -186,7 +215,8 @@ void widen_to_stated_noise(const acquire::FrfRecord& given, const identify::FrfD
     const Eigen::VectorXd influence = influence_of_lines(changes), absorbed = absorbed_shares(changes);
     // The weights of the FRFs in the fit come from the residual. They stay, whatever is stated.
     double weights = 0, variance_of_pole = 0;
-    Points& points = of_modes[m];
+    Points points;
+    std::map<std::size_t, GainScatter> gains;  // by the index of the residue
     for (std::size_t o = 0; o < mode.residues.size(); ++o) {
       identify::Residue& residue = mode.residues[o];
       const std::vector<Complex>& frf = set.channels[o].frf;
@@ -197,7 +227,10 @@ void widen_to_stated_noise(const acquire::FrfRecord& given, const identify::FrfD
       double variance = std::max(fitted, noise.stated);
       if (is_shared(noise)) {
         variance = std::max(fitted, noise.residual);
-        residue.relative_std = std::hypot(residue.relative_std, relative_gain_std(mode, o, set, std, offset));
+        const GainScatter gain = gain_scatter(residue.value, changes, window, std, offset);
+        gains.emplace(o, gain);
+        points[residue.point].gain.stated += gain.stated;
+        points[residue.point].gain.energy += gain.energy;
       }
       if (!std.empty())
         points[residue.point].add(stated_pole_scatter(set, modes, m, o, std::span(std).subspan(offset), variance));
@@ -206,8 +239,9 @@ void widen_to_stated_noise(const acquire::FrfRecord& given, const identify::FrfD
       variance_of_pole += weight * variance / fitted;
       residue.std *= std::sqrt(variance / fitted);
     }
-    for (const auto& [point, of] : points) of_all[point].add(of);
+    add_gains(points, gains, mode);
     if (!(weights > 0)) continue;
+    hits[m] = mean_of_points(points);
     const double ratio = std::sqrt(variance_of_pole / weights);
     if (!(ratio > 1)) continue;
     mode.freq_std_parts_Hz.noise *= ratio;
@@ -215,7 +249,8 @@ void widen_to_stated_noise(const acquire::FrfRecord& given, const identify::FrfD
     mode.freq_std_Hz = mode.freq_std_parts_Hz.total();
     mode.damping_std = mode.damping_std_parts.total();
   }
-  for (std::size_t m = 0; m < modes.size(); ++m) add_hits(of_modes[m], of_all, modes[m]);
+  const PoleScatter all = mean_of_modes(hits);
+  for (std::size_t m = 0; m < modes.size(); ++m) add_hits(variance_of_hits(hits[m], all), modes[m]);
 }
 
 }  // namespace percuss::pipeline

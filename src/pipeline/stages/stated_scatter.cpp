@@ -15,7 +15,7 @@ using Eigen::Index;
 constexpr double kScatterReach = 3;            // half-power bandwidths on each side of a mode
 constexpr double kNeighbourReach = 4;          // half-power bandwidths
 constexpr std::size_t kMinReach = 8;           // lines on each side
-constexpr std::size_t kMaxScatterLines = 400;  // more lines are thinned out
+constexpr std::size_t kMaxScatterLines = 200;  // more lines are thinned out
 constexpr std::size_t kMaxNeighbours = 3;
 constexpr double kSameDirection = 1e-6;
 constexpr double kTiny = 1e-300;
@@ -108,11 +108,12 @@ PoleScatter stated_pole_scatter(const identify::FrfDataset& set, const std::vect
     solver.compute(weighted);
     const Eigen::VectorXd target = weight * stated2.array();
     found = solver.solve(target);
+    model2 = ((weighted * found).array() / weight).matrix();
+    if (pass + 1 < kPasses) continue;
     const double residual2 =
         (target - weighted * found).squaredNorm() / static_cast<double>(std::max<Index>(1, rows - solver.rank()));
     out.variance = found(0) / scale(0);
     out.std = std::sqrt(residual2) * solver.pseudoInverse().row(0).norm() / scale(0);
-    model2 = ((weighted * found).array() / weight).matrix();
   }
   if (!std::isfinite(out.variance) || !std::isfinite(out.std) || !(out.std > 0)) return {};
   return out;

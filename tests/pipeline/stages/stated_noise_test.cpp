@@ -48,6 +48,7 @@ acquire::FrfRecord record_of(std::uint64_t seed, double relative, const std::vec
 struct HitScatter {
   double gain = 0, freq = 0;
   double second_gain = 0;  // of a second mode at 140 Hz, beside `gain`
+  double residue = 1;      // of all hits
 };
 
 // The mean FRF of six hits with a white noise of 0.02 each, and its standard deviation from the scatter of the hits.
@@ -60,7 +61,7 @@ acquire::FrfRecord average_of_hits(std::uint64_t seed, const HitScatter& scatter
   acquire::Frf& mean = record.frfs.front().frf;
   std::vector<std::vector<Complex>> hits(kHits);
   for (std::vector<Complex>& hit : hits) {
-    const double gain = 1 + scatter.gain * normal(random), freq = 1 + scatter.freq * normal(random);
+    const double gain = scatter.residue * (1 + scatter.gain * normal(random)), freq = 1 + scatter.freq * normal(random);
     const double second = scatter.second_gain > 0 ? gain + scatter.second_gain * normal(random) : 0;
     for (std::size_t k = 0; k < record.lines.count; ++k) {
       const Complex noise = kNoise / std::sqrt(2.0) * Complex(normal(random), normal(random));
@@ -98,6 +99,22 @@ Rms rms_over_seeds(const RecordOfSeed& record_of_seed, std::size_t modes = 1) {
     rms.residue += std::pow((residue.value.real() - 1) / residue_std, 2) / kSeeds;
   }
   return {.freq = std::sqrt(rms.freq), .damping = std::sqrt(rms.damping), .residue = std::sqrt(rms.residue)};
+}
+
+// FRFs of 10 points, some of them near a node.
+acquire::FrfRecord survey_of_averages(std::uint64_t seed, double gain) {
+  constexpr int kPoints = 10;
+  acquire::FrfRecord record;
+  for (int p = 0; p < kPoints; ++p) {
+    const HitScatter scatter{.gain = gain, .residue = std::cos(1 + 0.2 * p)};
+    acquire::FrfRecord one = average_of_hits(1000 * seed + static_cast<std::uint64_t>(p), scatter);
+    one.frfs.front().point = p;
+    if (p == 0)
+      record = std::move(one);
+    else
+      record.frfs.push_back(std::move(one.frfs.front()));
+  }
+  return record;
 }
 
 Rms rms_of_deviations(double relative, const std::vector<double>& floor_of) {
@@ -141,6 +158,11 @@ TEST(StatedNoise, CountsTheGainOfTheHitsForTheResidueAlone) {
 // As by the place and direction of the hits.
 TEST(StatedNoise, CountsModesThatScatterByTheirOwnGainsForTheResiduesAlone) {
   expect_true(rms_of_averages({.gain = 0.03, .second_gain = 0.03}));
+}
+
+// Each point has its own hits.
+TEST(StatedNoise, CountsTheGainsOfASurveyForItsResiduesAlone) {
+  expect_true(rms_over_seeds([](std::uint64_t seed) { return survey_of_averages(seed, 0.03); }));
 }
 
 // Frequencies that differ by 1/40 of the half-power bandwidth from hit to hit: the error is that of their mean.
