@@ -36,10 +36,11 @@ class Frf:
     kind : {'accelerance', 'mobility', 'receptance'}, optional
         Response: acceleration, velocity or displacement.
     std, coherence : array, optional
-        Standard deviation of the complex number in the unit of H, and ordinary coherence, in the shape of H. The ± of modes
-        follow from std where it exceeds the residual of the fit; the weights of the fit come from the residual. Errors count
-        as independent from line to line. In FRFs averaged from hits, neighbouring lines share the error from the force's
-        noise: there the ± are too large.
+        Standard deviation of the complex number in the unit of H, and ordinary coherence, in the shape of H. Without std, the
+        standard deviation follows from coherence and averages: |H| √((1 − γ²)/(γ² (n − 1))). The ± of modes include it
+        where it exceeds the residual of the fit; the weights of the fit come from the residual. What the averaged hits
+        share (gain, place, direction) is part of the ± of residues alone. Frequencies that differ between the hits are part
+        of the ± of frequencies, where the standard deviations show it.
     points : sequence of int, optional
         Number of each struck point. Default: from 0 up. The points are sorted by their numbers.
     names : sequence of str, optional

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 from collections.abc import Iterator, Mapping
 from typing import Any, Literal
@@ -19,6 +20,7 @@ from ._plots import plot_curves
 from ._records import Record
 
 _WIDTH = 100
+_SHOWN = 12  # modes or lines of repr()
 
 
 class Result(Mapping[str, Any]):
@@ -33,7 +35,7 @@ class Result(Mapping[str, Any]):
     exit_code     the exit code of the command
 
     A result is a read-only mapping and equal to itself only. Jupyter shows its main table; str() is the text that a
-    terminal shows.
+    terminal shows, repr() at most twelve of its modes or lines.
     """
 
     def __init__(self, outcome: Any) -> None:
@@ -172,7 +174,16 @@ class Result(Mapping[str, Any]):
         return self._outcome.text(_WIDTH) or self.json
 
     def __repr__(self) -> str:
-        return str(self).rstrip("\n")
+        lines = str(self).rstrip("\n").split("\n")
+        if len(lines) <= _SHOWN:
+            return "\n".join(lines)
+        modes = self._parsed().get("modes")
+        if not isinstance(modes, list):
+            return "\n".join([*lines[:_SHOWN], f"… {len(lines) - _SHOWN} more lines: print() shows all"])
+        warnings = self._parsed().get("warnings", [])
+        counts = f"{_counted(len(modes), 'mode')}, {_counted(len(warnings), 'warning')}: print() shows all"
+        rows = [_mode_line(mode) for mode in modes[:_SHOWN]]
+        return "\n".join([lines[0], counts, *rows, *(["…"] if len(modes) > _SHOWN else [])])
 
     def _repr_html_(self) -> str | None:
         html = self._outcome.html()
@@ -232,6 +243,25 @@ class Nodes(Result):
 def curves_of(outcome: Any) -> list[dict[str, Any]]:
     names = ("hit", "channel", "point", "first_s", "velocity_mps", "deflection_m", "std_m")
     return [dict(zip(names, one)) for one in outcome.deflections()]
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}{'' if count == 1 else 's'}"
+
+
+def _with_std(value: float, std: float | None) -> str:
+    """The number and its ± with two digits of the ±."""
+    if not std or not math.isfinite(std):
+        return f"{value:.6g}"
+    decimals = max(0, 1 - math.floor(math.log10(std)))
+    return f"{value:.{decimals}f} ± {std:.{decimals}f}"
+
+
+def _mode_line(mode: Mapping[str, Any]) -> str:
+    freq = f"{_with_std(mode['frequency_hz'], mode.get('frequency_std_hz'))} Hz"
+    std = mode.get("damping_ratio_std")
+    damping = f"{_with_std(100 * mode['damping_ratio'], None if std is None else 100 * std)} %"
+    return f"{freq:>28}  {damping:>26}  {mode.get('family') or ''} {mode.get('order') or ''}".rstrip()
 
 
 def _is_number(one: Any) -> bool:

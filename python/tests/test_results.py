@@ -128,6 +128,15 @@ def test_copies_of_results_are_results(found, tmp_path):
     assert len(found.modes) == 3
 
 
+def test_repr_is_short(found):
+    lines = repr(found).split("\n")
+    assert len(lines) == 2 + len(found.modes) < len(str(found).split("\n")) and lines[0] == str(found).split("\n")[0]
+    assert lines[1] == f"{len(found.modes)} modes, {len(found.warnings)} warning{'s' * (len(found.warnings) != 1)}: print() shows all"
+    for line, freq_hz in zip(lines[2:], found.frequency_hz):
+        assert line.count("±") == 2 and abs(float(line.split()[0]) - freq_hz) < 0.01
+    assert not any(warning["message"] in repr(found) for warning in found.warnings)
+
+
 def test_records_and_synthetic_tests_are_pickled(bat, tmp_path, monkeypatch):
     record = percuss.Record(bat.record.force_n, bat.record.accel_mps2, FS, points=[0, 1, 1, 0, 2], geometry=np.eye(3), names=["f", "a", "b"])
     for again in (pickle.loads(pickle.dumps(record)), copy.deepcopy(record), copy.copy(record)):

@@ -94,8 +94,25 @@ FrfKind frf_kind_of(const StoredFrfs& stored, const FrfReadOptions& options, std
   return FrfKind::accelerance;
 }
 
+// [lines] the standard deviation of H1 from its coherence γ² over n averages, |H| √((1 − γ²)/(γ² (n − 1))): √2 times
+// that of the magnitude (source [3]). Empty where it cannot be told.
+std::vector<double> std_from_coherence(const StoredFrf& frf) {
+  constexpr double kMinCoherence = 1e-12;
+  const auto finite = [](double value) { return std::isfinite(value); };
+  const bool all_finite = std::all_of(frf.coherence.begin(), frf.coherence.end(), finite);
+  if (frf.averages < 2 || frf.coherence.size() != frf.value.size() || !all_finite) return {};
+  const auto freedom = static_cast<double>(frf.averages - 1);
+  std::vector<double> out;
+  for (std::size_t k = 0; k < frf.value.size(); ++k) {
+    const double known = std::clamp(frf.coherence[k], kMinCoherence, 1.0);
+    out.push_back(std::sqrt((1 - known) / known / freedom) * std::abs(frf.value[k]));
+  }
+  return out;
+}
+
 // Turns stored numbers into an accelerance, in place.
 Frf accelerance_of(StoredFrf stored, const FrfRecord& record, double factor, const std::string& where) {
+  if (stored.std.empty()) stored.std = std_from_coherence(stored);
   Frf frf{.value = std::move(stored.value),
           .std = std::move(stored.std),
           .coherence = std::move(stored.coherence),

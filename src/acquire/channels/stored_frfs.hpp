@@ -33,7 +33,8 @@ struct StoredFrfs {
 };
 
 /// Applies spacing, unit, kind, channel choice, signs, scales, angles and positions: stored numbers become
-/// accelerances. A note with the code kReversedPhase says if the FRFs are probably for exp(−jωt).
+/// accelerances. Where an FRF has a coherence and a number of averages but no standard deviation, it gets the one of H1
+/// that follows from both. A note with the code kReversedPhase says if the FRFs are probably for exp(−jωt).
 /// errors  InputError: options without a meaning for FRFs, a spacing that contradicts the frequencies,
 /// channels that do not exist, implausibly large numbers.
 FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options);

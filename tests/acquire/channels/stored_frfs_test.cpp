@@ -42,6 +42,22 @@ TEST(StoredFrfs, TurnsEveryKindIntoAnAccelerance) {
   EXPECT_EQ(line(receptance, 0, 0), Complex(0, 0));
 }
 
+// The normalised random error of H1, √2 √((1 − γ²)/(2 γ² n)) of the complex number, with n − 1 degrees of freedom.
+TEST(StoredFrfs, TakesTheStandardDeviationFromCoherenceAndAverages) {
+  StoredFrfs frfs = stored();
+  frfs.frfs[0].coherence = {0.5, 0.8, 1};
+  frfs.frfs[0].averages = 5;
+  frfs.frfs[1].coherence = frfs.frfs[0].coherence;  // of an unknown number of averages
+  const FrfRecord record = to_accelerances(frfs, {.read = {.accel_unit = "mm/s^2"}});
+  ASSERT_THAT(record.frfs[0].frf.std, SizeIs(3));
+  EXPECT_NEAR(record.frfs[0].frf.std[0], 1e-3 * std::sqrt(1.0 / 4), kRounding);
+  EXPECT_NEAR(record.frfs[0].frf.std[1], 1e-3 * std::sqrt(0.25 / 4), kRounding);
+  EXPECT_EQ(record.frfs[0].frf.std[2], 0);
+  EXPECT_THAT(record.frfs[1].frf.std, IsEmpty());
+  frfs.frfs[0].std = {1, 2, 3};
+  EXPECT_EQ(to_accelerances(frfs, {}).frfs[0].frf.std, (std::vector<double>{1, 2, 3}));  // stated ones stay
+}
+
 // The frequencies 0.333, 0.667 and 1.0 permit a spacing from 0.33325 to 0.3335 Hz.
 TEST(StoredFrfs, TakesAStatedSpacingWithinTheRoundingOfTheFrequencies) {
   StoredFrfs frfs = stored();

@@ -15,6 +15,7 @@ constexpr identify::Pole kPole{.freq_Hz = 150, .damping_ratio = 0.008};
 constexpr std::size_t kSeeds = 40;
 // The RMS of 40 normal numbers is known to 11 %; the limits are three times as far.
 constexpr double kMinRms = 0.67, kMaxRms = 1.33;
+constexpr double kStudentRms = 1.29;  // of Student's t of five degrees of freedom: means of six hits
 
 Complex accelerance(double freq_Hz) {
   const Complex s(0, kTwoPi * freq_Hz);
@@ -43,21 +44,86 @@ acquire::FrfRecord record_of(std::uint64_t seed, double relative, const std::vec
   return record;
 }
 
-struct Rms {
-  double freq = 0, damping = 0;
+// How the hits of an average differ: relative standard deviations.
+struct HitScatter {
+  double gain = 0, freq = 0;
+  double second_gain = 0;  // of a second mode at 140 Hz, beside `gain`
+  double residue = 1;      // of all hits
 };
 
-Rms rms_of_deviations(double relative, const std::vector<double>& floor_of) {
+// The mean FRF of six hits with a white noise of 0.02 each, and its standard deviation from the scatter of the hits.
+acquire::FrfRecord average_of_hits(std::uint64_t seed, const HitScatter& scatter) {
+  constexpr std::size_t kHits = 6;
+  constexpr double kNoise = 0.02, kSecond = 140.0 / 150;
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  acquire::FrfRecord record = record_of(seed, 0, {kNoise});
+  acquire::Frf& mean = record.frfs.front().frf;
+  std::vector<std::vector<Complex>> hits(kHits);
+  for (std::vector<Complex>& hit : hits) {
+    const double gain = scatter.residue * (1 + scatter.gain * normal(random)), freq = 1 + scatter.freq * normal(random);
+    const double second = scatter.second_gain > 0 ? gain + scatter.second_gain * normal(random) : 0;
+    for (std::size_t k = 0; k < record.lines.count; ++k) {
+      const Complex noise = kNoise / std::sqrt(2.0) * Complex(normal(random), normal(random));
+      const double freq_Hz = record.lines.freq_Hz(k) / freq;
+      hit.push_back(gain * accelerance(freq_Hz) + second * accelerance(freq_Hz / kSecond) + noise);
+    }
+  }
+  for (std::size_t k = 0; k < record.lines.count; ++k) {
+    Complex sum;
+    for (const std::vector<Complex>& hit : hits) sum += hit[k];
+    mean.value[k] = sum / static_cast<double>(kHits);
+    double squares = 0;
+    for (const std::vector<Complex>& hit : hits) squares += std::norm(hit[k] - mean.value[k]);
+    mean.std[k] = std::sqrt(squares / static_cast<double>(kHits * (kHits - 1)));
+  }
+  return record;
+}
+
+struct Rms {
+  double freq = 0, damping = 0, residue = 0;
+};
+
+template <typename RecordOfSeed>
+Rms rms_over_seeds(const RecordOfSeed& record_of_seed, std::size_t modes = 1) {
   Rms rms;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const Analysis analysis(record_of(seed, relative, floor_of), {.band_Hz = std::pair(100.0, 200.0)});
-    EXPECT_EQ(analysis.modes().size(), 1U) << seed;
+    const Analysis analysis(record_of_seed(seed), {.band_Hz = std::pair(100.0, 200.0)});
+    EXPECT_EQ(analysis.modes().size(), modes) << seed;
     if (analysis.modes().empty()) continue;
-    const identify::Mode& mode = analysis.modes().front();
+    const identify::Mode& mode = analysis.modes().back();  // at kPole
     rms.freq += std::pow((mode.pole.freq_Hz - kPole.freq_Hz) / mode.freq_std_Hz, 2) / kSeeds;
     rms.damping += std::pow((mode.pole.damping_ratio - kPole.damping_ratio) / mode.damping_std, 2) / kSeeds;
+    const identify::Residue& residue = mode.residues.front();
+    const double residue_std = std::hypot(residue.std, residue.relative_std * std::abs(residue.value));
+    rms.residue += std::pow((residue.value.real() - 1) / residue_std, 2) / kSeeds;
   }
-  return {.freq = std::sqrt(rms.freq), .damping = std::sqrt(rms.damping)};
+  return {.freq = std::sqrt(rms.freq), .damping = std::sqrt(rms.damping), .residue = std::sqrt(rms.residue)};
+}
+
+// FRFs of 10 points, some of them near a node.
+acquire::FrfRecord survey_of_averages(std::uint64_t seed, double gain) {
+  constexpr int kPoints = 10;
+  acquire::FrfRecord record;
+  for (int p = 0; p < kPoints; ++p) {
+    const HitScatter scatter{.gain = gain, .residue = std::cos(1 + 0.2 * p)};
+    acquire::FrfRecord one = average_of_hits(1000 * seed + static_cast<std::uint64_t>(p), scatter);
+    one.frfs.front().point = p;
+    if (p == 0)
+      record = std::move(one);
+    else
+      record.frfs.push_back(std::move(one.frfs.front()));
+  }
+  return record;
+}
+
+Rms rms_of_deviations(double relative, const std::vector<double>& floor_of) {
+  return rms_over_seeds([&](std::uint64_t seed) { return record_of(seed, relative, floor_of); });
+}
+
+Rms rms_of_averages(const HitScatter& scatter) {
+  return rms_over_seeds([&](std::uint64_t seed) { return average_of_hits(seed, scatter); },
+                        scatter.second_gain > 0 ? 2 : 1);
 }
 
 void expect_true(const Rms& rms) {
@@ -77,6 +143,33 @@ TEST(StatedNoise, GivesTrueStandardDeviationsForNoiseInProportionToTheFrf) {
 // The fit weighs a channel by its residual, which shows the noise as well as the stated numbers do.
 TEST(StatedNoise, GivesTrueStandardDeviationsForChannelsOfDifferentNoise) {
   expect_true(rms_of_deviations(0, {0.01, 0.5}));
+}
+
+TEST(StatedNoise, GivesTrueStandardDeviationsForAveragesOfEqualHits) { expect_true(rms_of_averages({})); }
+
+// The same gain at all lines moves no pole. The residue has its error.
+TEST(StatedNoise, CountsTheGainOfTheHitsForTheResidueAlone) {
+  const Rms rms = rms_of_averages({.gain = 0.05});
+  expect_true(rms);
+  EXPECT_GT(rms.residue, kMinRms * kStudentRms);
+  EXPECT_LT(rms.residue, kMaxRms * kStudentRms);
+}
+
+// As by the place and direction of the hits.
+TEST(StatedNoise, CountsModesThatScatterByTheirOwnGainsForTheResiduesAlone) {
+  expect_true(rms_of_averages({.gain = 0.03, .second_gain = 0.03}));
+}
+
+// Each point has its own hits.
+TEST(StatedNoise, CountsTheGainsOfASurveyForItsResiduesAlone) {
+  expect_true(rms_over_seeds([](std::uint64_t seed) { return survey_of_averages(seed, 0.03); }));
+}
+
+// Frequencies that differ by 1/40 of the half-power bandwidth from hit to hit: the error is that of their mean.
+TEST(StatedNoise, SeesFrequenciesThatDifferBetweenTheHits) {
+  const Rms rms = rms_of_averages({.gain = 0.01, .freq = 4e-4});
+  EXPECT_GT(rms.freq, kMinRms * kStudentRms);
+  EXPECT_LT(rms.freq, 1.97);  // squares of Student's t have a mean of 5/3, known from 40 to 0.74; three times as far
 }
 
 }  // namespace percuss::pipeline::stated_noise_test

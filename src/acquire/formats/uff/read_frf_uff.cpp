@@ -106,19 +106,12 @@ StoredFrf stored_frf(const UffFunction& f, int point, std::size_t channel, doubl
   return out;
 }
 
-// Adds the coherence. If the number of averages is known, also adds the standard deviation of H1 computed from both.
 void add_coherence(const UffFunction& coherence, const std::string& where, StoredFrf& frf) {
   if (coherence.count != frf.value.size() || coherence.complex) return;
   frf.coherence.resize(coherence.count);
   coherence.read(0, 0, frf.coherence);
   if (!std::all_of(frf.coherence.begin(), frf.coherence.end(), [](double x) { return std::isfinite(x); }))
     throw InputError("a coherence that is not a finite number", where, "correct or leave out the value");
-  if (frf.averages < 2) return;
-  const auto freedom = static_cast<double>(frf.averages - 1);
-  for (std::size_t k = 0; k < frf.value.size(); ++k) {
-    const double known = std::clamp(frf.coherence[k], 1e-12, 1.0);
-    frf.std.push_back(std::sqrt((1 - known) / known / freedom) * std::abs(frf.value[k]));
-  }
 }
 
 using FrfDofs = std::tuple<UffDofKey, UffDofKey>;  // reference, response
