@@ -120,7 +120,7 @@ class Analysis {
   const std::vector<identify::SynthesisedFrf>& synthesis() const;
   /// How well fitted_modes() explain each FRF, over band_lines(), and the FRFs around each of modes().
   const FitQuality& fit() const;
-  /// Peaks of fitted_frfs() that none of fitted_modes() models, the largest first; some lie just beyond the band.
+  /// Peaks of fitted_frfs() that no mode models, the largest first; some lie just beyond the band.
   const std::vector<identify::UnmodelledPeak>& unexplained_peaks() const;
   /// Poles within the band that are stable in a section of it, and whose resonance no mode describes. Empty if the user
   /// chose the modes.
@@ -168,6 +168,7 @@ class Analysis {
   // Fits the modes again, to FRFs without the drift that they have in common, if they have one.
   void remove_drift(const TestSpectra& from, const std::function<const identify::HitFrfs&()>& hits,
                     std::vector<identify::Mode>& found) const;
+  std::vector<identify::Mode> margin_modes_below() const;  // of margin_modes_
   // If starting frequencies are stated, moves the modes that none of them names to unlisted_modes_.
   void keep_started_modes(std::vector<identify::Mode>& modes) const;
   std::vector<AnalysedHit> compute_hits() const;
@@ -208,7 +209,7 @@ class Analysis {
   mutable std::optional<identify::FrfDataset> refined_frfs_;
   mutable std::optional<double> before_blow_s_;  // time_before_blow_s(); set with modes_
   Lazy<std::vector<identify::Mode>> modes_;
-  mutable std::vector<identify::Mode> margin_modes_;            // below the band; set with modes_
+  mutable std::vector<identify::Mode> margin_modes_;            // below and above the band; set with modes_
   mutable std::vector<identify::Mode> band_modes_;              // all within the band, if modes_ holds a part of them
   mutable std::vector<identify::Mode> unlisted_modes_;          // within the band, named by no starting frequency
   mutable std::vector<identify::RefusedStart> refused_starts_;  // set with modes_

@@ -152,6 +152,7 @@ const std::vector<identify::Mode>& Analysis::modes() const {
         residual_end_Hz_ = identify::growing_end_Hz(set, found, most->pole.freq_Hz);
       BandModes split = modes_in_band(std::move(found), frf_points(), band_Hz());
       margin_modes_ = std::move(split.below);
+      margin_modes_.insert(margin_modes_.end(), split.above.begin(), split.above.end());
       keep_started_modes(split.within);
       if (options_.modes.modes && *options_.modes.modes < split.within.size()) {
         band_modes_ = split.within;
@@ -185,6 +186,13 @@ std::vector<acquire::SignalInfo> Analysis::typing_accel() const {
     if (tells_no_type(silent[c])) out[c].angle_rad.reset();
   }
   return out;
+}
+
+std::vector<identify::Mode> Analysis::margin_modes_below() const {
+  modes();  // sets the modes of the margin
+  std::vector<identify::Mode> below = margin_modes_;
+  std::erase_if(below, [&](const identify::Mode& mode) { return mode.pole.freq_Hz > band_Hz().second; });
+  return below;
 }
 
 const std::vector<identify::ModeClassification>& Analysis::types() const {
@@ -243,7 +251,8 @@ const std::vector<HitMode>& Analysis::modes_per_hit() const {
 std::vector<std::vector<ModeInHit>> Analysis::residues_per_hit() const {
   const std::vector<identify::Mode>& within = modes();
   if (given_frfs() != nullptr || within.empty()) return {};
-  std::vector<identify::Mode> all = margin_modes_;
+  std::vector<identify::Mode> all = margin_modes_below();
+  const std::size_t below = all.size();
   all.insert(all.end(), within.begin(), within.end());
   all.insert(all.end(), unlisted_modes_.begin(), unlisted_modes_.end());
   const TestSpectra from = spectra();
@@ -257,7 +266,7 @@ std::vector<std::vector<ModeInHit>> Analysis::residues_per_hit() const {
     for (ModeInHit& hit : mode) hit.hit = used[hit.hit];
   }
   out.resize(out.size() - unlisted_modes_.size());
-  out.erase(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(margin_modes_.size()));
+  out.erase(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(below));
   return out;
 }
 

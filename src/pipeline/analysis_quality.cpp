@@ -1,8 +1,27 @@
 // Findings about the channels and the quality of the fit, from the modes, and the corrections that follow.
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "core/parallel/parallel.hpp"
 #include "pipeline/analysis.hpp"
 
 namespace percuss::pipeline {
+namespace {
+
+constexpr double kPeakWidths = 3;  // half-power bandwidths on either side of a mode, or spectral lines if wider
+
+// The modes whose peaks lie outside the band. The band shows half the peak of a mode closer to its end.
+std::vector<identify::Mode> clear_of_band(std::vector<identify::Mode> modes, std::pair<double, double> band_Hz,
+                                          double df_Hz) {
+  std::erase_if(modes, [&](const identify::Mode& mode) {
+    const double reach_Hz = kPeakWidths * std::max(mode.pole.half_power_Hz(), df_Hz);
+    return mode.pole.freq_Hz + reach_Hz >= band_Hz.first && mode.pole.freq_Hz - reach_Hz <= band_Hz.second;
+  });
+  return modes;
+}
+
+}  // namespace
 
 const std::vector<ChannelDelay>& Analysis::corrected_delays() const {
   return within_budget(budget_, corrected_delays_, [&] {
@@ -60,7 +79,9 @@ const FitQuality& Analysis::fit() const {
 const std::vector<identify::UnmodelledPeak>& Analysis::unexplained_peaks() const {
   return within_budget(budget_, unexplained_peaks_, [&] {
     const ThreadLimit limit(options_.threads);
-    return trace_.run("peaks", [&] { return unexplained_peaks_of(fitted_frfs(), fitted_modes()); });
+    const std::vector<identify::Mode> found = fitted_modes();  // sets margin_modes_
+    const std::vector<identify::Mode> beyond = clear_of_band(margin_modes_, band_Hz(), lines().df_Hz());
+    return trace_.run("peaks", [&] { return unexplained_peaks_of(fitted_frfs(), found, beyond); });
   });
 }
 

@@ -169,7 +169,7 @@ std::vector<Warning> Analysis::warnings_of_modes(const HitEvidence& evidence) co
     append(out, unmodelled_peak_warnings(unexplained_peaks(), band_Hz(), known_tones(), lines().df_Hz()));
   }
   append(out, unmodelled_pole_warnings(unmodelled_poles(), band_Hz()));
-  if (!options_.band_Hz && !user_chose_modes) append(out, below_band_warnings(margin_modes_, band_Hz()));
+  if (!options_.band_Hz && !user_chose_modes) append(out, below_band_warnings(margin_modes_below(), band_Hz()));
   append(out, crowd_warnings(modes(), band_Hz()));
   return out;
 }

@@ -37,10 +37,12 @@ const std::vector<identify::Mode>& Analysis::modes_below() const {
     const double margin_begin_Hz = lines().freq_Hz(0);
     const double from_Hz =
         std::max(source_->default_band_Hz(force_hits()).first, found.front().pole.freq_Hz / kMaxRatio);
-    if (given_frfs() != nullptr || (margin_begin_Hz - from_Hz) / lines().df_Hz() < kMinLines) return margin_modes_;
+    if (given_frfs() != nullptr || (margin_begin_Hz - from_Hz) / lines().df_Hz() < kMinLines)
+      return margin_modes_below();
     const Analysis lower(record(), lower_options(options_, {from_Hz, margin_begin_Hz}, hits()));
     std::vector<identify::Mode> below = lower.modes();
-    below.insert(below.end(), margin_modes_.begin(), margin_modes_.end());
+    const std::vector<identify::Mode> of_margin = margin_modes_below();
+    below.insert(below.end(), of_margin.begin(), of_margin.end());
     return below;
   });
 }

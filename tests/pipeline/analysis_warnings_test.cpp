@@ -134,6 +134,32 @@ TEST(Warnings, StateNoTypesThatRestOnAConstantChannel) {
   EXPECT_THAT(types_of(Analysis(good, band())), Not(Contains(identify::ModeType::unknown)));
 }
 
+// A mode above the band belongs to the fit, so that a hump between two antiresonances of the band is no peak without a
+// mode.
+TEST(Warnings, NameNoHumpBesideAStrongModeAboveTheBand) {
+  synth::SynthSpec spec = test::bat_spec({{.freq_Hz = 5.2, .damping_ratio = 0.05, .residue_per_kg = {0.29}},
+                                          {.freq_Hz = 7.8, .damping_ratio = 0.06, .residue_per_kg = {-0.19}},
+                                          {.freq_Hz = 822, .damping_ratio = 0.0031, .residue_per_kg = {0.9}},
+                                          {.freq_Hz = 831.5, .damping_ratio = 0.0027, .residue_per_kg = {0.5}},
+                                          {.freq_Hz = 1463, .damping_ratio = 0.0022, .residue_per_kg = {0.54}},
+                                          {.freq_Hz = 2118, .damping_ratio = 0.0035, .residue_per_kg = {0.56}},
+                                          {.freq_Hz = 2951, .damping_ratio = 0.0018, .residue_per_kg = {0.23}},
+                                          {.freq_Hz = 3622, .damping_ratio = 0.004, .residue_per_kg = {-0.21}},
+                                          {.freq_Hz = 5240, .damping_ratio = 0.0026, .residue_per_kg = {0.28}},
+                                          {.freq_Hz = 7300, .damping_ratio = 0.003, .residue_per_kg = {0.81}}},
+                                         1);
+  spec.fs_Hz = 25600;
+  spec.samples = 16384;
+  spec.sensors = {{}};
+  spec.pulse.width_s = 0.00019;
+  spec.hits = 5;
+  spec.noise = {.force = 7e-4, .accel = 2e-4};
+  const Analysis analysis(synth::synthesise(spec).record, band(300, 6000));
+  EXPECT_EQ(analysis.modes().size(), 7U);
+  EXPECT_GT(analysis.lines().freq_Hz(analysis.lines().count - 1), 7300) << "otherwise this test shows nothing";
+  EXPECT_THAT(test::lines_of_messages(analysis.warnings()), Not(Contains(HasSubstr("unclaimed_peaks"))));
+}
+
 // A sensor across the blow sees no bending, but rings with the hoop mode above the band: it is not dead.
 TEST(Warnings, DoNotSuspectASensorAcrossTheBlow) {
   synth::SynthSpec spec = test::bending_and_hoop_spec();

@@ -97,7 +97,8 @@ bool unexplained(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& lef
 
 }  // namespace
 
-std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::vector<Mode>& modes, double range_dB) {
+std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::vector<Mode>& modes, double range_dB,
+                                             const std::vector<Mode>& beyond) {
   std::vector<std::size_t> lines = prominent_lines(set, LineNoise(set));
   std::erase_if(lines, [&](std::size_t line) {
     const double freq_Hz = set.lines.freq_Hz(line);
@@ -110,7 +111,9 @@ std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::v
   if (lines.empty()) return {};
   double largest = 0;
   for (std::size_t k = 0; k < set.lines.count; ++k) largest = std::max(largest, power_at(set, k));
-  const auto left = residuals_from_sums(set, modal_sums(set, modes));
+  std::vector<Mode> all = modes;
+  all.insert(all.end(), beyond.begin(), beyond.end());
+  const auto left = residuals_from_sums(set, modal_sums(set, all));
   const auto resonances = residual_resonances(set, left);
   std::vector<UnmodelledPeak> peaks;
   for (const std::size_t line : lines) {

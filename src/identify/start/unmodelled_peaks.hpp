@@ -15,7 +15,10 @@ struct UnmodelledPeak {
 /// Prominent peaks (prominent_lines) farther than three half-power bandwidths, and three lines, from every mode. The
 /// residual has a resonance there that holds at least a quarter of the FRFs' energy around it. Only peaks within the
 /// force's bandwidth and within `range_dB` of the largest line. Ascending.
-std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::vector<Mode>& modes, double range_dB);
+/// beyond  modes of the margin that the residual is without as well. If the residual held a strong one, its residual
+///         terms would follow this mode, and would be wrong throughout the band.
+std::vector<UnmodelledPeak> unmodelled_peaks(const FrfDataset& set, const std::vector<Mode>& modes, double range_dB,
+                                             const std::vector<Mode>& beyond = {});
 
 /// The peaks that stand clearly out of the noise (the larger of LineNoise and LineNoise::local): √Σ|H|² falls from the
 /// peak to its higher saddle by at least six standard deviations of the difference of two lines. Near the end of the

@@ -37,6 +37,17 @@ std::optional<BaselineChange> find_baseline_change(const RestLevels& levels, std
 /// before the hit are few. x begins with `quiet` samples before the hit; its end shows how large the motion is.
 bool exceeds_motion_before(const BaselineChange& change, std::span<const double> x, std::size_t quiet);
 
+/// False where a step that find_baseline_change() found in these levels is an oscillation: the swing of a structure on
+/// a soft suspension, and what remains of faster oscillations in the means. A step of the zero keeps its sign: the
+/// windows after those of the fit may shift the other way by 0.3 of the first window's shift at most. Where one does
+/// by 0.1, windows that begin up to a quarter later must show the step too: what remains of an oscillation in a mean
+/// depends on where the window begins.
+/// x  the samples of the levels
+bool keeps_its_sign(const RestLevels& levels, std::span<const double> x);
+
+/// The largest mean of a sinusoid over a time: over the few samples before a hit, hum has a mean.
+double largest_mean(double amplitude, double freq_Hz, double time_s);
+
 void subtract_baseline(const BaselineChange& change, std::size_t hit_sample, double fs_Hz, std::span<double> x);
 
 }  // namespace percuss::pipeline

@@ -20,6 +20,7 @@ constexpr std::size_t kSearchStep = 80;  // samples: a diagnosis reaches 44 to e
 constexpr double kEarlyPart = 0.25;      // of the decay: it is searched everywhere
 constexpr double kToneBefore_s = 0.1;    // before a hit: some periods of hum
 constexpr std::size_t kSameFault = 48;   // samples: nearer suspects are one fault
+constexpr double kClearOfTones = 2;      // size of a step over the mean of wandering tones before the hit
 
 using Samples = std::vector<std::vector<double>>;  // [channels]
 
@@ -101,6 +102,15 @@ std::size_t sample_of_shock(const acquire::Hit& hit, double fs_Hz, const std::ve
   return static_cast<std::size_t>(std::max_element(at(first), at(end), smaller) - x.begin());
 }
 
+// Subtracts the response's baseline from its samples `x`, which have the levels response.rest. A step that these
+// samples do not confirm is dropped. Returns whether a baseline was subtracted.
+bool subtract_confirmed(HitResponse& response, const acquire::Hit& hit, double fs_Hz, std::vector<double>& x) {
+  if (response.baseline && response.baseline->step && !keeps_its_sign(response.rest, x)) response.baseline.reset();
+  if (!response.baseline) return false;
+  subtract_baseline(*response.baseline, sample_of_shock(hit, fs_Hz, x), fs_Hz, x);
+  return true;
+}
+
 enum class Search { suspects, everywhere };
 
 // Samples at equal steps over the first part of the decay. A diagnosis at each of them covers all samples between.
@@ -139,11 +149,49 @@ Samples corrected_hit(HitFaults& found, HitResponses& responses, const acquire::
   const bool faulty = std::any_of(found.faults.begin(), found.faults.end(), repairable);
   if (!faulty && !moves) return {};
   if (faulty) read = repaired(views_of(read), found.faults);
-  for (std::size_t c = 0; c < read.size(); ++c) {
-    if (const auto& change = responses.of[found.hit][c].baseline)
-      subtract_baseline(*change, sample_of_shock(hit, record.fs_Hz, read[c]), record.fs_Hz, read[c]);
-  }
+  moves = false;
+  for (std::size_t c = 0; c < read.size(); ++c)
+    moves = subtract_confirmed(responses.of[found.hit][c], hit, record.fs_Hz, read[c]) || moves;
+  if (!faulty && !moves) return {};
   return read;
+}
+
+// The mean that wandering tones may have over the samples before the hit.
+double mean_of_wandering(const ToneFit& fit, std::size_t signal, double quiet_s) {
+  double mean = 0;
+  for (std::size_t t = 0; t < fit.tones.size(); ++t) {
+    if (fit.tones[t].wanders) mean += largest_mean(std::abs(fit.amplitudes[signal][t]), fit.tones[t].freq_Hz, quiet_s);
+  }
+  return mean;
+}
+
+// Finds the baselines of a hit again, in its samples without the tones. Hum has a mean over the few samples before the
+// hit, which looks like a step, or hides one. No sinusoid describes a tone that wanders: a step must exceed its mean.
+// samples       without the tones, and without the baselines found beside them
+// first_signal  signal of the fit: the first channel of this hit
+void find_baselines_without_tones(std::vector<HitResponse>& of_hit, Samples& samples, const HitFaults& found,
+                                  const ToneFit& fit, std::size_t first_signal, const acquire::Record& record,
+                                  const acquire::Hit& hit) {
+  Samples with_baseline;
+  if (std::any_of(of_hit.begin(), of_hit.end(), [](const HitResponse& one) { return one.baseline.has_value(); })) {
+    with_baseline = read_all(record, hit, samples.front().size());
+    if (std::any_of(found.faults.begin(), found.faults.end(), repairable))
+      with_baseline = repaired(views_of(with_baseline), found.faults);
+  }
+  for (std::size_t c = 0; c < of_hit.size(); ++c) {
+    HitResponse& response = of_hit[c];
+    if (response.baseline) {
+      samples[c] = std::move(with_baseline[c]);
+      subtract_tones(fit, first_signal + c, record.fs_Hz, samples[c]);
+    }
+    response.rest = rest_levels(samples[c], response.rest.quiet, response.rest.first);
+    response.baseline = baseline_change(response, samples[c].size(), record.fs_Hz);
+    const double quiet_s = static_cast<double>(response.rest.quiet) / record.fs_Hz;
+    if (response.baseline &&
+        std::abs(response.baseline->size) < kClearOfTones * mean_of_wandering(fit, first_signal + c, quiet_s))
+      response.baseline.reset();
+    subtract_confirmed(response, hit, record.fs_Hz, samples[c]);
+  }
 }
 
 std::vector<ToneSignal> signals_of(const HitResponses& responses, const acquire::Hit& hit, std::size_t h,
@@ -171,13 +219,14 @@ std::vector<double> candidates_for_tones(const std::vector<HitResponse>& respons
   return all;
 }
 
-// Searches the first hit for tones, and all hits if it has some. Subtracts the tones from the samples of all hits. If
-// any hit has corrected samples, only the samples of the lines are searched, in all hits: inserted samples shift the
-// samples after them, so that the record does not continue the corrected samples.
+// Searches the first hit for tones, and all hits if it has some. Subtracts the tones from the samples of all hits, and
+// finds the baselines again without them. If any hit has corrected samples, only the samples of the lines are searched,
+// in all hits: inserted samples shift the samples after them, so that the record does not continue the corrected
+// samples.
 // returns  [used hits × channels] the amplitude of the tones that wander and thus remain; empty without tones.
 std::vector<double> remove_tones(HitResponses& responses, std::vector<Samples>& corrected,
-                                 const acquire::Record& record, const std::vector<AnalysedHit>& hits,
-                                 const TransformOptions& options) {
+                                 const std::vector<HitFaults>& found, const acquire::Record& record,
+                                 const std::vector<AnalysedHit>& hits, const TransformOptions& options) {
   const std::vector<std::size_t> used = accepted_hits(hits);
   const bool any_corrected =
       std::any_of(corrected.begin(), corrected.end(), [](const Samples& samples) { return !samples.empty(); });
@@ -204,6 +253,10 @@ std::vector<double> remove_tones(HitResponses& responses, std::vector<Samples>& 
     std::vector<double>& x = samples[s / channels][s % channels];
     x.resize(options.lines.samples);
     subtract_tones(fit, s, record.fs_Hz, x);
+  });
+  parallel_for(used.size(), options.threads, [&](std::size_t u) {
+    find_baselines_without_tones(responses.of[used[u]], samples[u], found[u], fit, u * channels, record,
+                                 hits[used[u]].hit);
   });
   corrected = std::move(samples);
   std::vector<double> remaining(signals.size());
@@ -277,7 +330,7 @@ void correct_responses(HitResponses& responses, const acquire::Record& record, c
     });
   }
   std::vector<double> tones_mps2;
-  if (!used.empty()) tones_mps2 = remove_tones(responses, corrected, record, hits, options);
+  if (!used.empty()) tones_mps2 = remove_tones(responses, corrected, found, record, hits, options);
   for (HitFaults& faults : found) {
     if (!faults.faults.empty()) responses.faults.push_back(std::move(faults));
   }

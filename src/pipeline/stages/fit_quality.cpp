@@ -32,8 +32,9 @@ double frac_around(const identify::FrfDataset& set, const std::vector<identify::
 }  // namespace
 
 std::vector<identify::UnmodelledPeak> unexplained_peaks_of(const identify::FrfDataset& set,
-                                                           const std::vector<identify::Mode>& modes) {
-  auto peaks = identify::clear_of_noise(set, identify::unmodelled_peaks(set, modes, kPeakRange_dB));
+                                                           const std::vector<identify::Mode>& modes,
+                                                           const std::vector<identify::Mode>& beyond) {
+  auto peaks = identify::clear_of_noise(set, identify::unmodelled_peaks(set, modes, kPeakRange_dB, beyond));
   std::stable_sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.level_dB > b.level_dB; });
   return peaks;
 }

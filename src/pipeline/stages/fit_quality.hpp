@@ -33,7 +33,9 @@ FitQuality fit_quality(const identify::FrfDataset& set, const std::vector<identi
 
 /// Peaks that no mode models and that stand clearly out of the noise (identify::clear_of_noise), down to 65 dB below
 /// the largest line; the largest first.
+/// beyond  modes of the margin (identify::unmodelled_peaks)
 std::vector<identify::UnmodelledPeak> unexplained_peaks_of(const identify::FrfDataset& set,
-                                                           const std::vector<identify::Mode>& modes);
+                                                           const std::vector<identify::Mode>& modes,
+                                                           const std::vector<identify::Mode>& beyond = {});
 
 }  // namespace percuss::pipeline

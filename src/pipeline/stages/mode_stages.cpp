@@ -28,8 +28,10 @@ BandModes modes_in_band(std::vector<identify::Mode> modes, const std::vector<int
   BandModes out;
   for (identify::Mode& mode : modes) {
     for (identify::Residue& residue : mode.residues) residue.point = static_cast<std::size_t>(points[residue.point]);
-    if (mode.pole.freq_Hz > band_Hz.second) continue;
-    (mode.pole.freq_Hz < band_Hz.first ? out.below : out.within).push_back(std::move(mode));
+    auto& part = mode.pole.freq_Hz < band_Hz.first    ? out.below
+                 : mode.pole.freq_Hz > band_Hz.second ? out.above
+                                                      : out.within;
+    part.push_back(std::move(mode));
   }
   return out;
 }

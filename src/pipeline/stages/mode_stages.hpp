@@ -11,11 +11,11 @@
 namespace percuss::pipeline {
 
 struct BandModes {
-  std::vector<identify::Mode> below, within;  // ascending
+  std::vector<identify::Mode> below, within, above;  // ascending
 };
 
-/// Sorts `modes`, ascending, into modes below and within the band; leaves out modes above it. Residues carry the
-/// points' numbers, taken from `points` [points of the data set].
+/// Sorts `modes`, ascending, into modes below, within and above the band. Residues carry the points' numbers, taken
+/// from `points` [points of the data set].
 BandModes modes_in_band(std::vector<identify::Mode> modes, const std::vector<int>& points,
                         std::pair<double, double> band_Hz);
 

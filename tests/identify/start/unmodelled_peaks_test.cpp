@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "support/modal_frfs.hpp"
 #include "synth/synthesise.hpp"
@@ -118,6 +121,34 @@ TEST(UnmodelledPeaks, AreClearWhereAModeStandsOutOfTheNoise) {
       EXPECT_NEAR(peaks[0].freq_Hz, weak.freq_Hz, 2 * weak.half_power_Hz());
     }
   }
+}
+
+// A strong mode of the margin, left in the residual, leaves a broad residual in the band. There, a hump between two
+// antiresonances, which is no resonance, is a prominent peak.
+TEST(UnmodelledPeaks, AreNotHumpsBesideAModeOfTheMargin) {
+  const std::vector<std::pair<Pole, double>> parts{
+      {{822, 0.0031}, 0.9},   {{831.5, 0.0027}, 0.5}, {{1463, 0.0022}, 0.54}, {{2118, 0.0035}, 0.56},
+      {{2951, 0.0018}, 0.23}, {{3622, 0.004}, -0.21}, {{5240, 0.0026}, 0.28}, {{7300, 0.003}, 0.81}};
+  FrfDataset set = test::empty_set(25600, 16384, 150, 7528, 1);
+  std::vector<Mode> modes;
+  for (const auto& [pole, residue] : parts) {
+    test::add_mode(set, 0, pole, residue);
+    modes.push_back({.pole = pole, .residues = {{.value = residue}}});
+  }
+  test::add_mode(set, 0, {5.2, 0.05}, 0.29);  // the suspension, below the lines
+  test::add_mode(set, 0, {7.8, 0.06}, -0.19);
+  test::add_frf_noise(set, 0.02, 1);
+  const std::vector<Mode> beyond{modes.back()};
+  modes.pop_back();
+  const auto in_band = [](const UnmodelledPeak& peak) { return peak.freq_Hz < 6000; };
+  const auto left = unmodelled_peaks(set, modes, kRange_dB);
+  EXPECT_TRUE(std::any_of(left.begin(), left.end(), in_band)) << "otherwise this test shows nothing";
+  EXPECT_TRUE(unmodelled_peaks(set, modes, kRange_dB, beyond).empty());
+  modes.erase(modes.begin() + 5);
+  const auto peaks = unmodelled_peaks(set, modes, kRange_dB, beyond);
+  EXPECT_TRUE(std::any_of(peaks.begin(), peaks.end(), [&](const UnmodelledPeak& peak) {
+    return std::abs(peak.freq_Hz - 3622) < 3 * set.lines.df_Hz();
+  })) << "a mode is missing";
 }
 
 }  // namespace percuss::identify::unmodelled_peaks_test

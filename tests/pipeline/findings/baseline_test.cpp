@@ -65,4 +65,67 @@ TEST(BaselineChange, IsNotTheMeanOfHumBeforeTheHit) {
   EXPECT_TRUE(exceeds_motion_before({.size = 0.05}, noise, 256)) << "white noise has no slow motion";
 }
 
+constexpr double kRate_Hz = 8192;
+constexpr std::size_t kQuiet = 160;
+
+double decaying_sine(double freq_Hz, double damping_ratio, double time_s) {
+  const double angle = 2 * std::numbers::pi * freq_Hz * time_s;
+  return std::exp(-damping_ratio * angle) * std::sin(angle);
+}
+
+/// A second of a response to a hit after kQuiet samples: a mode at 166 Hz of 0.6, a mode that decays at once, and
+/// added(time after the hit).
+template <class Added>
+std::vector<double> response_with(Added added) {
+  std::vector<double> x(8192, 0.0);
+  for (std::size_t n = kQuiet; n < x.size(); ++n) {
+    const double time_s = static_cast<double>(n - kQuiet) / kRate_Hz;
+    x[n] = 0.6 * decaying_sine(166, 0.004, time_s) + 0.4 * decaying_sine(900, 0.01, time_s) + added(time_s);
+  }
+  return x;
+}
+
+// The windows of a response may follow a step by chance, where the ringing and the swing of a soft suspension are
+// added.
+TEST(BaselineChange, IsNoneWhereASoftSuspensionSwings) {
+  struct Swing {
+    double size, freq_Hz;
+  };
+  std::size_t like_steps = 0;
+  for (const Swing& swing : {Swing{0.01, 2.5}, Swing{0.01, 3}, Swing{0.02, 2}, Swing{0.02, 2.5}, Swing{0.03, 2}}) {
+    const auto x =
+        response_with([&](double time_s) { return swing.size * decaying_sine(swing.freq_Hz, 0.03, time_s); });
+    for (std::size_t after = 20; after < 120; ++after) {
+      const RestLevels levels = rest_levels(x, kQuiet - 10, kQuiet + after);
+      const auto change = find_baseline_change(levels, x.size(), 1, kRate_Hz);
+      if (!change || !change->step) continue;
+      ++like_steps;
+      EXPECT_FALSE(keeps_its_sign(levels, x)) << swing.freq_Hz << " Hz, windows from " << after;
+    }
+  }
+  EXPECT_GE(like_steps, 10U) << "otherwise this test shows nothing";
+}
+
+TEST(BaselineChange, IsAStepBesideASmallSwing) {
+  for (const double decay_s : {0.1, 0.3, 3.0}) {
+    const auto x = response_with(
+        [&](double time_s) { return -0.2 * std::exp(-time_s / decay_s) + 0.01 * decaying_sine(3, 0.03, time_s); });
+    std::size_t steps = 0;
+    for (std::size_t after = 20; after < 120; ++after) {
+      const RestLevels levels = rest_levels(x, kQuiet - 10, kQuiet + after);
+      const auto change = find_baseline_change(levels, x.size(), 1, kRate_Hz);
+      if (!change || !change->step) continue;
+      ++steps;
+      EXPECT_TRUE(keeps_its_sign(levels, x)) << decay_s << " s, windows from " << after;
+    }
+    EXPECT_GE(steps, 50U) << decay_s << " s";
+  }
+}
+
+TEST(BaselineChange, ExceedsTheMeanOfATone) {
+  EXPECT_NEAR(largest_mean(3, 50, 0.01), 3 * 2 / std::numbers::pi, 0.05) << "half a period: exactly 2/pi of it";
+  EXPECT_DOUBLE_EQ(largest_mean(3, 0.1, 0.01), 3);
+  EXPECT_LT(largest_mean(3, 50, 1), 0.02);
+}
+
 }  // namespace percuss::pipeline::baseline_test

@@ -276,6 +276,53 @@ TEST(RecordFindings, RemoveAZeroShiftAndASlope) {
   expect_true_modes(slope);
 }
 
+// Few samples before a hit hold no whole period of hum, so that hum has a mean there, but hardly a mean after the hit.
+synth::SynthSpec short_before_hit() {
+  synth::SynthSpec spec = tube();
+  spec.pretrigger_s = 0.01;
+  return spec;
+}
+
+/// Adds hum to a row, with another phase in each.
+void add_hum(std::size_t row, double size, std::vector<double>& x) {
+  for (std::size_t n = 0; n < x.size(); ++n)
+    x[n] += size * std::sin(kTwoPi * 50 * static_cast<double>(n) / kRate_Hz + 1.3 * static_cast<double>(row));
+}
+
+TEST(RecordFindings, DoNotTakeHumForAZeroShift) {
+  const acquire::Record good = synth::synthesise(short_before_hit()).record;
+  for (const bool open : {true, false}) {
+    const Analysis analysis(test::with_changed_accel(good,
+                                                     [&](std::size_t row, std::size_t channel, std::vector<double>& x) {
+                                                       if (channel != 1) return;
+                                                       const double size = 0.1 * *std::max_element(x.begin(), x.end());
+                                                       if (open) std::fill(x.begin(), x.end(), 0);
+                                                       if (open) test::add_noise(x, 0.01 * size, row);
+                                                       add_hum(row, size, x);
+                                                     }),
+                            band());
+    EXPECT_THAT(codes_of(analysis), Contains("hum"));
+    EXPECT_THAT(codes_of(analysis), Not(Contains("zero_shift"))) << (open ? "open cable" : "sensor");
+  }
+}
+
+TEST(RecordFindings, NameAZeroShiftBesideHum) {
+  const acquire::Record good = synth::synthesise(short_before_hit()).record;
+  const Analysis analysis(
+      test::with_changed_accel(good,
+                               [](std::size_t row, std::size_t, std::vector<double>& x) {
+                                 const auto peak = std::max_element(x.begin(), x.end());
+                                 const double largest = *peak;
+                                 for (auto at = peak; at != x.end(); ++at)
+                                   *at += 0.05 * largest * std::exp(-static_cast<double>(at - peak) / (0.3 * kRate_Hz));
+                                 add_hum(row, 0.1 * largest, x);
+                               }),
+      band());
+  EXPECT_THAT(codes_of(analysis), AllOf(Contains("hum"), Contains("zero_shift")));
+  expect_true_modes(analysis);
+  EXPECT_LT(analysis.modes()[0].freq_std_Hz, 0.01) << "measured 0.0012; 0.08 where steps have the mean of the hum";
+}
+
 /// A record with a row more: the force of the last row once again, and its responses times `gain`.
 acquire::Record with_copied_force(acquire::Record record, double gain) {
   const std::size_t last = record.rows.size() - 1;
