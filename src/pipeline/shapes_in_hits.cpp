@@ -7,7 +7,8 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kLeastStd = 1e-12;  // of the largest residue: exact residues have equal weights, as in shape_of()
+constexpr double kMinStdOfResidue =
+    1e-12;  // of the largest residue: exact residues have equal weights, as in shape_of()
 
 bool has_points_with_several_hits(const Analysis& analysis) {
   if (analysis.given_frfs() != nullptr) return false;
@@ -57,7 +58,7 @@ identify::ShapeInHits of_roving_hammer(const identify::Mode& mode, const identif
   identify::ShapeInHits out(shape.places.size());
   for (const ModeInHit& hit : hits) {
     const std::size_t place = place_index(shape, static_cast<std::size_t>(points[hit.point]), 0);
-    if (place < out.size()) out[place].push_back(value_of_hit(mode, of_channel, kLeastStd * largest, hit));
+    if (place < out.size()) out[place].push_back(value_of_hit(mode, of_channel, kMinStdOfResidue * largest, hit));
   }
   return out;
 }

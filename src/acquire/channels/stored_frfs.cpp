@@ -95,7 +95,7 @@ FrfKind frf_kind_of(const StoredFrfs& stored, const FrfReadOptions& options, std
 }
 
 // [lines] the standard deviation of H1 from its coherence γ² over n averages, |H| √((1 − γ²)/(γ² (n − 1))): √2 times
-// that of the magnitude (source [3]). Empty where it cannot be told.
+// the standard deviation of the magnitude (source [3]). Empty without a coherence, or without two averages.
 std::vector<double> std_from_coherence(const StoredFrf& frf) {
   constexpr double kMinCoherence = 1e-12;
   const auto finite = [](double value) { return std::isfinite(value); };

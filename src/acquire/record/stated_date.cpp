@@ -133,8 +133,8 @@ std::string time_after_date(std::string_view text) {
   return time;
 }
 
-// The first date of a text, with the time of day that follows it, as it is written: no order of day and month is
-// assumed. Empty without a date, as for the names of columns and for a time of day alone.
+// The first date of a text and the time of day after it, both unchanged: no order of day and month is assumed. Empty
+// without a date, as for the names of columns and for a time of day alone.
 std::string calendar_date(std::string_view text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (!is_digit(text[at]) || (at > 0 && std::isalnum(static_cast<unsigned char>(text[at - 1])) != 0)) continue;

@@ -35,7 +35,7 @@ std::vector<double> without_imitating_modes(const FrfDataset& set, const HitFrfs
 /// Adds significant scatter between the hits to the modes' standard deviations, and explains it by a law over the hits'
 /// forces or their order. The pole then becomes the mean of the hits' own poles, because the average of different
 /// resonances is broader than each of them. If no point of a survey has several hits, scatter is significant only if it
-/// follows such a law. Modes that are too weak to show a scatter get that of the others, where these agree
+/// follows such a law. Modes that are too weak to show a scatter get the scatter of the other modes, if these agree
 /// (shared_scatter). Modes ascend in frequency and include modes outside the band.
 /// linear  windowed_hit_poles of these modes
 /// peak_N  [hits] in the order of the test

@@ -35,7 +35,7 @@ struct Mode {
   StdParts freq_std_parts_Hz, damping_std_parts;
   double hit_scatter_Hz = 0;  // standard deviation of the frequency between hits, beyond the noise; 0: none
   double hit_scatter_damping = 0;
-  // p-value: noise alone makes the hits differ as much; 1: not significant, so that a scatter is that of other modes
+  // p-value: noise alone makes the hits differ as much. 1: not significant; the scatter then comes from other modes.
   double hit_scatter_freq_p = 1;
   double hit_scatter_damping_p = 1;
   std::optional<AmplitudeTrend> amplitude;  // where the force explains the scatter between the hits

@@ -22,8 +22,8 @@ constexpr double kMinSilence = 0.5;  // part of the expected energy that is abse
 // Times over the inverse of the band's width.
 constexpr double kNearBlow = 8;            // the blow's own response reaches so far before it
 constexpr double kEdge = 2, kBeside = 16;  // a step is blurred so far; the motion beside it is judged over so far
-// Sum of two parts of the energy: before a step, what the modes do not explain; after it, what is left. Where a window
-// halves the motion, each is a quarter.
+// Sum of two parts of the energy: the part before a step that the modes do not explain, and the part that remains after
+// it. Where a window halves the motion, each part is a quarter.
 constexpr double kMaxBesideEdge = 0.35;
 constexpr double kNoiseTest = 3;           // standard deviations
 constexpr double kMinNoise = 1e-9;         // over the largest value
