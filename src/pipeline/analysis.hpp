@@ -106,7 +106,8 @@ class Analysis {
   void compute_modes_and_frfs() const;
   const std::vector<identify::ModeClassification>& classifications() const;
   /// The accelerometers of record(), without the angles of dead ones, which tell no mode type (silences()).
-  Computes modes().std::vector<acquire::SignalInfo> typing_accel() const;
+  /// Computes modes().
+  std::vector<acquire::SignalInfo> typing_accel() const;
   /// Whether modes() are all modes that were found, so that their orders can be counted. False if the user chose the
   /// modes.
   bool modes_are_complete() const;
