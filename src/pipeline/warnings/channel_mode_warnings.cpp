@@ -95,26 +95,45 @@ std::vector<Warning> corrected_skew(const acquire::Record& record, const std::ve
            .severity = acquire::Severity::info}};
 }
 
-std::vector<Warning> clocks(const acquire::Record& record, const std::vector<ChannelClock>& clocks) {
+bool is_pair(const ChannelPair& pair, const std::optional<identify::SensorPair>& sensors) {
+  return sensors && std::minmax(pair.first, pair.second) == std::minmax(sensors->first, sensors->second);
+}
+
+// Two sensors of a tube may show its two planes, which bend at different frequencies where the wall or the grain
+// differs.
+std::vector<Warning> clocks(const acquire::Record& record, const std::vector<ChannelClock>& clocks,
+                            const std::optional<identify::SensorPair>& tube) {
   std::vector<Warning> out;
   for (const ChannelClock& clock : clocks) {
     if (!clock.established()) continue;
-    out.push_back(with_remedy(
-        {"clock_mismatch",
-         fmt::format("{} shows the {} modes that it shares with {} at frequencies {} ± {} ppm {}: the clocks of their "
-                     "recorders differ by this factor. Frequencies are uncertain by as much, damping ratios are off, "
-                     "and one mode may appear as two",
-                     sensor_name(record.accel, clock.channel), clock.modes, sensor_name(record.accel, 0),
-                     significant(std::abs(clock.excess) * 1e6, 4), significant(clock.std * 1e6, 2),
-                     clock.excess > 0 ? "higher" : "lower"),
-         {"accel_channel"}},
-        "record all channels with one clock, or analyse each recorder's channels alone"));
+    const std::string difference =
+        fmt::format("{} shows the {} modes that it shares with {} at frequencies {} ± {} ppm {}: ",
+                    sensor_name(record.accel, clock.channel), clock.modes, sensor_name(record.accel, 0),
+                    significant(std::abs(clock.excess) * 1e6, 4), significant(clock.std * 1e6, 2),
+                    clock.excess > 0 ? "higher" : "lower");
+    const std::string of_clocks =
+        "frequencies are uncertain by as much, damping ratios are off, and one mode may appear as two";
+    if (is_pair({.first = 0, .second = clock.channel}, tube)) {
+      out.push_back(with_remedy(
+          {"clock_mismatch",
+           difference +
+               "their recorders have clocks that differ by this factor, or the sensors face two planes in which "
+               "the tube bends at different frequencies, as across and along the grain of wood. With two "
+               "clocks, " +
+               of_clocks + "; with two planes, nothing is wrong",
+           {"accel_channel"},
+           {},
+           acquire::Severity::warn},
+          "check that one clock drives all channels, or analyse each channel alone"));
+      continue;
+    }
+    out.push_back(
+        with_remedy({"clock_mismatch",
+                     difference + "the clocks of their recorders differ by this factor. F" + of_clocks.substr(1),
+                     {"accel_channel"}},
+                    "record all channels with one clock, or analyse each recorder's channels alone"));
   }
   return out;
-}
-
-bool is_pair(const ChannelPair& pair, const std::optional<identify::SensorPair>& sensors) {
-  return sensors && std::minmax(pair.first, pair.second) == std::minmax(sensors->first, sensors->second);
 }
 
 std::vector<Warning> units(const acquire::Record& record, const ChannelFindings& findings,
@@ -272,9 +291,10 @@ std::vector<Warning> channel_mode_warnings(const acquire::Record& record, const 
                                      [](const ChannelClock& clock) { return clock.established(); });
   std::vector<Warning> out;
   if (!own_clock) out = skew(record, modes, findings.delays, correctable);
-  for (const auto& more : {corrected_skew(record, modes, findings.corrected_delays), clocks(record, findings.clocks),
-                           units(record, findings, sensors), directions(record, findings.pairs, sensors),
-                           silent_channels(record, modes, silent, types_need)})
+  for (const auto& more :
+       {corrected_skew(record, modes, findings.corrected_delays), clocks(record, findings.clocks, sensors.tube),
+        units(record, findings, sensors), directions(record, findings.pairs, sensors),
+        silent_channels(record, modes, silent, types_need)})
     out.insert(out.end(), more.begin(), more.end());
   return out;
 }

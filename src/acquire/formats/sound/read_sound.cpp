@@ -46,10 +46,11 @@ void describe_uncalibrated(const SoundInput& sound, const ReadOptions& options, 
   }
   if (!has_scale_options(options)) {
     table.notes.push_back(full_scale_note());
-  } else if (has_sensitivities(options)) {
+  } else if (has_sensitivities(options) && (options.force_scale.empty() || options.accel_scale.empty())) {
     table.notes.emplace_back(
         "stored numbers are fractions of full scale, and full scale is taken as 1 V: if it is V volts, forces "
-        "and responses must be multiplied by V; divide V by the sensitivity, and give the quotient as the scale",
+        "and responses must be multiplied by V; divide V by the sensitivity in V/N or V/(m/s²), and give the quotient "
+        "as the scale",
         std::vector<OptionId>{"force_scale", "accel_scale"});
   }
 }

@@ -120,6 +120,18 @@ TEST_F(SoundRecord, SaysThatFullScaleIsTakenAsOneVolt) {
   EXPECT_THAT(test::texts(record.notes), Contains(HasSubstr("full scale is taken as 1 V")));
 }
 
+// A set-up states sensitivities, and the scales of the options contain the full scale.
+TEST_F(SoundRecord, TakesScalesBeforeTheSensitivitiesOfASetup) {
+  ReadOptions options = kHammerOnOne;
+  options.setup.resize(2);
+  options.setup[0].sensitivity_V_per_SI = 0.01;
+  options.force_scale = {1000};
+  options.accel_scale = {98.0665};
+  const Record record = opened(wav({}, integers({1 << 14, 1 << 14, 0, 0}, 2)), options);
+  EXPECT_THAT(force_N(record), ElementsAre(500, 0));
+  EXPECT_THAT(test::texts(record.notes), Not(Contains(HasSubstr("full scale"))));
+}
+
 TEST_F(SoundRecord, IsCalibratedByItsChunk) {
   const std::string chunk = calibration_chunk(
       R"({"fs_hz": 999.5, "signals": [{"name": "hammer", "measures": "force", "si_at_full_scale": 2048},)"
