@@ -1,5 +1,6 @@
 #include "pipeline/stages/blow_time.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -25,7 +26,8 @@ constexpr double kEdge = 2, kBeside = 16;  // a step is blurred so far; the moti
 // Sum of two parts of the energy: the part before a step that the modes do not explain, and the part that remains after
 // it. Where a window halves the motion, each part is a quarter.
 constexpr double kMaxBesideEdge = 0.35;
-constexpr double kNoiseTest = 3;           // standard deviations
+constexpr double kNoiseTest = 3;  // standard deviations
+constexpr double kMinPower = 1e-300;
 constexpr double kMinNoise = 1e-9;         // over the largest value
 constexpr double kMedianOfSquare = 0.455;  // of a normal deviate of variance 1
 constexpr std::size_t kMaxFrfs = 8;        // the search for the exact time uses so many FRFs
@@ -36,6 +38,18 @@ bool rings_at_end(const identify::FrfDataset& set, const std::vector<identify::M
   return std::any_of(modes.begin(), modes.end(), [&](const identify::Mode& mode) {
     return identify::remaining_amplitude(mode.pole, set.lines, set.window_decay_per_s()) > kDecayed;
   });
+}
+
+// exp of a parabola through the logarithms of the noise power. Weights that change fast over the lines would spread the
+// response to the blow over the time before it. shapes  power, result [lines]
+std::vector<double> smooth_power(const std::vector<double>& power) {
+  const auto count = static_cast<Eigen::Index>(power.size());
+  const Eigen::ArrayXd at = Eigen::ArrayXd::LinSpaced(count, -1, 1);
+  Eigen::MatrixXd terms(count, 3);
+  terms << Eigen::VectorXd::Ones(count), at.matrix(), at.square().matrix();
+  const Eigen::VectorXd logs = Eigen::Map<const Eigen::ArrayXd>(power.data(), count).max(kMinPower).log();
+  const Eigen::ArrayXd smooth = (terms * terms.householderQr().solve(logs)).array().exp();
+  return {smooth.begin(), smooth.end()};
 }
 
 // The signal of lines within a band over their noise. shapes  noise [lines]; result [samples of the record]
@@ -79,7 +93,7 @@ class Silence {
     for (std::vector<double>* sum : {&measured_, &of_modes_, &differences_}) sum->assign(end_ + 1, 0);
     const identify::LineNoise noise(set);
     for (std::size_t o = 0; o < set.channels.size(); ++o) {
-      const ImpulseResponse of = impulse_response(set.channels[o].frf, sums[o], noise.local(o), lines);
+      const ImpulseResponse of = impulse_response(set.channels[o].frf, sums[o], smooth_power(noise.local(o)), lines);
       for (std::size_t n = 0; n < end_; ++n) {
         const double h = of.measured[n], p = of.of_modes[n];
         measured_[n] += h * h;
