@@ -285,7 +285,7 @@ def test_frfs_under_an_exponential_window_have_the_damping_without_it():
             percuss.Frf(FREQ_HZ, seen, exponential=wrong)
 
 
-def test_the_deviations_of_modes_grow_with_those_of_the_frfs():
+def test_deviations_that_the_lines_do_not_show_widen_the_residues_alone():
     noise = np.random.default_rng(1).normal(size=(2, 1, 2, 800)) * 1e-4
     seen = exact(FREQ_HZ)[:1] + noise[0] + 1j * noise[1]  # standard deviation of a complex value: 1.4e-4
 
@@ -296,7 +296,11 @@ def test_the_deviations_of_modes_grow_with_those_of_the_frfs():
     own, less, more, most = [modes(std) for std in (None, 1e-6, 1e-3, 1e-2)]
     for name in ("frequency_std_hz", "damping_ratio_std", "residues_std"):
         assert np.array_equal(getattr(less, name), getattr(own, name))  # the residual shows more noise than stated
-        assert np.allclose(getattr(most, name), 10 * getattr(more, name), rtol=ROUNDING)
-        residual_std = 0.06  # the residual of 65 lines is known to 12 % in power, 6 % in amplitude
-        assert np.allclose(getattr(more, name), getattr(own, name) * 1e-3 / 1.414e-4, rtol=4 * residual_std)
+    # Noise of the lines would show in the residual. The lines share the rest, which moves no pole.
+    residual_std = 0.1  # the residual near a mode is known to 10 % in amplitude
+    for name in ("frequency_std_hz", "damping_ratio_std"):
+        assert np.array_equal(getattr(most, name), getattr(more, name))
+        assert np.allclose(getattr(more, name), getattr(own, name), rtol=2 * residual_std)
+    assert np.allclose(most.residues_std, 10 * more.residues_std, rtol=0.01)  # of which the noise is a hundredth
+    assert np.all(more.residues_std > 5 * own.residues_std)
     assert np.array_equal(most.frequency_hz, own.frequency_hz)
