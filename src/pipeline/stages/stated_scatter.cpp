@@ -55,9 +55,10 @@ Eigen::MatrixXd products_of(const Eigen::MatrixXcd& changes) {
   const Index count = changes.cols(), modes = count - 3;
   Eigen::MatrixXd products(changes.rows(), count * (count + 1) / 2 - 2);
   Index column = 0;
-  for (Index i = 0; i < count; ++i)
+  for (Index i = 0; i < count; ++i) {
     for (Index j = i; j < (i == 0 ? 1 + modes : count); ++j)
       products.col(column++) = changes.col(i).cwiseProduct(changes.col(j).conjugate()).real();
+  }
   return products;
 }
 
