@@ -7,6 +7,7 @@
 #include <map>
 #include <span>
 
+#include "core/math/significance.hpp"
 #include "core/units.hpp"
 #include "identify/model/frf_synthesis.hpp"
 #include "pipeline/stages/stated_scatter.hpp"
@@ -20,6 +21,7 @@ constexpr double kNoiseReach = 2;            // half-power bandwidths on each si
 constexpr std::size_t kMinNoiseReach = 100;  // lines on each side, over which the joint fit takes the noise
 constexpr double kMinFreedom = 2;            // lines
 constexpr double kSignificantShare = 2;      // standard deviations
+constexpr double kMinDeviate = 3.8;          // of the χ² of the residual below the stated variance: 1 in 10 000
 constexpr double kMinVariance = 1e-300;
 
 struct NoiseWindow {
@@ -108,7 +110,9 @@ double residual_variance(const std::vector<Complex>& frf, const std::vector<Comp
 // True where the lines scatter far less than stated: the stated deviations are then errors that the lines share.
 bool is_shared(const NoiseAtMode& noise) {
   if (!(noise.freedom >= kMinFreedom)) return false;
-  return noise.residual * (1 + kSignificantShare / std::sqrt(noise.freedom)) < noise.stated;
+  if (!(noise.stated > 0)) return false;
+  const double degrees = 2 * noise.freedom;  // a line has a real and an imaginary part
+  return chi2_deviate(degrees * noise.residual / noise.stated, degrees) < -kMinDeviate;
 }
 
 // The stated deviations of the lines of the resonance as the scatter of a residue.
