@@ -249,7 +249,7 @@ std::string text_date(const std::vector<std::string_view>& lines) {
     const std::string date = plausible_date(without_delimiters(date_in_line(lines[i])));
     if (!date.empty()) return with_time_of_next_line(date, lines, i);
   }
-  // A line "Test date" counts before a line "Timestamp", whose date may be that of an export.
+  // A line "Test date" counts before a line "Timestamp": the date of a time stamp may be the date of an export.
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string date = plausible_date(calendar_date_in_line(lines[i]));
     if (!date.empty()) return with_time_of_next_line(date, lines, i);

@@ -16,7 +16,6 @@
 namespace percuss::pipeline {
 namespace {
 
-constexpr double kDecayed = 0.0025;  // after six time constants, as for the finding truncated_decay
 constexpr double kMaxPart = 0.5;     // longest time before the blow, of the record's length
 constexpr double kMinEvidence = 50;  // twice the logarithm of the likelihood ratio
 constexpr double kMinSilence = 0.5;  // part of the expected energy that is absent before the blow
@@ -36,7 +35,7 @@ constexpr double kStep = 0.125;            // over the inverse of the band's wid
 
 bool rings_at_end(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes) {
   return std::any_of(modes.begin(), modes.end(), [&](const identify::Mode& mode) {
-    return identify::remaining_amplitude(mode.pole, set.lines, set.window_decay_per_s()) > kDecayed;
+    return identify::remaining_amplitude(mode.pole, set.lines, set.window_decay_per_s()) > kRingingAmplitude;
   });
 }
 
@@ -169,7 +168,8 @@ class Silence {
   std::vector<double> ringing_;                            // [FRFs] Σ p²/σ²
 };
 
-// The FRFs with most ringing at the record's end, and the modes' residues of these.
+// The FRFs that ring most at the end of the records, and the modes' residues of these FRFs. One point serves all,
+// because the same impulse is the force of every point.
 struct Part {
   identify::FrfDataset set;
   std::vector<identify::Mode> modes;
@@ -177,10 +177,11 @@ struct Part {
 
 Part part_of(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
              const std::vector<std::size_t>& channels) {
-  Part part{.set = {.lines = set.lines, .points = set.points}, .modes = modes};
+  Part part{.set = {.lines = set.lines, .points = {set.points.front()}}, .modes = modes};
   for (identify::Mode& mode : part.modes) mode.residues.clear();
   for (const std::size_t o : channels) {
     part.set.channels.push_back(set.channels[o]);
+    part.set.channels.back().point = 0;
     for (std::size_t m = 0; m < modes.size(); ++m) part.modes[m].residues.push_back(modes[m].residues[o]);
   }
   return part;

@@ -7,6 +7,9 @@
 
 namespace percuss::pipeline {
 
+/// A mode rings at the end of the records if more than this part of its amplitude remains: after six time constants.
+inline constexpr double kRingingAmplitude = 0.0025;
+
 /// The time from the beginning of the records to the blow, s, from given FRFs whose records end while modes still
 /// ring. The FRFs of such records contain no motion in this time before the blow, although the modes of untruncated
 /// FRFs would still ring in it. Nothing where all modes decay, where the records begin with the blow, or where the

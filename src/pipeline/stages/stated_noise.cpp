@@ -20,7 +20,7 @@ using Eigen::Index;
 constexpr double kNoiseReach = 2;            // half-power bandwidths on each side of a mode
 constexpr std::size_t kMinNoiseReach = 100;  // lines on each side, over which the joint fit takes the noise
 constexpr double kMinFreedom = 2;            // lines
-constexpr double kSignificantShare = 2;      // standard deviations
+constexpr double kSignificantVariance = 2;   // standard deviations
 constexpr double kMinDeviate = 3.8;          // of the χ² of the residual below the stated variance: 1 in 10 000
 constexpr double kMinVariance = 1e-300;
 
@@ -109,8 +109,7 @@ double residual_variance(const std::vector<Complex>& frf, const std::vector<Comp
 
 // True where the lines scatter far less than stated: the stated deviations are then errors that the lines share.
 bool is_shared(const NoiseAtMode& noise) {
-  if (!(noise.freedom >= kMinFreedom)) return false;
-  if (!(noise.stated > 0)) return false;
+  if (!(noise.freedom >= kMinFreedom) || !(noise.stated > 0)) return false;
   const double degrees = 2 * noise.freedom;  // a line has a real and an imaginary part
   return chi2_deviate(degrees * noise.residual / noise.stated, degrees) < -kMinDeviate;
 }
@@ -133,17 +132,29 @@ GainScatter gain_scatter(Complex residue, const ModeChanges& changes, const Nois
   return gain;
 }
 
+// The mean of several statements of one scatter, weighted by their inverse variances.
+class MeanScatter {
+ public:
+  void add(const PoleScatter& one) {
+    if (!(one.std > 0)) return;
+    evidence_ += 1 / (one.std * one.std);
+    weighted_ += one.variance / (one.std * one.std);
+  }
+  // Without evidence: {}.
+  PoleScatter mean() const {
+    return evidence_ > 0 ? PoleScatter{.variance = weighted_ / evidence_, .std = 1 / std::sqrt(evidence_)}
+                         : PoleScatter{};
+  }
+
+ private:
+  double evidence_ = 0, weighted_ = 0;
+};
+
 // What the FRFs of a point say of a mode. They share their hits.
 struct PointScatter {
   double weight = 0;  // of the FRFs in the fit of the mode
-  double evidence = 0, weighted = 0;
+  MeanScatter pole;
   GainScatter gain;
-
-  void add(const PoleScatter& one) {
-    if (!(one.std > 0)) return;
-    evidence += 1 / (one.std * one.std);
-    weighted += one.variance / (one.std * one.std);
-  }
 };
 
 using Points = std::map<std::size_t, PointScatter>;
@@ -167,31 +178,22 @@ PoleScatter mean_of_points(const Points& points) {
   for (const auto& [point, of] : points) {
     const double share2 = std::pow(of.weight / weights, 2);
     all2 += share2;
-    if (!(of.evidence > 0)) continue;
+    const PoleScatter one = of.pole.mean();
+    if (!(one.std > 0)) continue;
     known2 += share2;
-    mean.variance += share2 * of.weighted / of.evidence;
-    mean.std = std::hypot(mean.std, share2 / std::sqrt(of.evidence));
+    mean.variance += share2 * one.variance;
+    mean.std = std::hypot(mean.std, share2 * one.std);
   }
   if (!(known2 > 0) || !std::isfinite(mean.variance)) return {};
   return {.variance = mean.variance * all2 / known2, .std = mean.std * all2 / known2};
 }
 
-PoleScatter mean_of_modes(const std::vector<PoleScatter>& modes) {
-  double evidence = 0, weighted = 0;
-  for (const PoleScatter& one : modes) {
-    if (!(one.std > 0)) continue;
-    evidence += 1 / (one.std * one.std);
-    weighted += one.variance / (one.std * one.std);
-  }
-  return evidence > 0 ? PoleScatter{.variance = weighted / evidence, .std = 1 / std::sqrt(evidence)} : PoleScatter{};
-}
-
 // Hits usually differ in the same proportion at all modes, as by their temperature: a mode whose lines cannot tell
 // takes what `all` modes say, as far as its lines allow it.
 double variance_of_hits(const PoleScatter& own, const PoleScatter& all) {
-  if (own.variance > kSignificantShare * own.std) return own.variance;
-  if (!(all.variance > kSignificantShare * all.std)) return 0;
-  return own.std > 0 ? std::clamp(own.variance + kSignificantShare * own.std, 0.0, all.variance) : all.variance;
+  if (own.variance > kSignificantVariance * own.std) return own.variance;
+  if (!(all.variance > kSignificantVariance * all.std)) return 0;
+  return own.std > 0 ? std::clamp(own.variance + kSignificantVariance * own.std, 0.0, all.variance) : all.variance;
 }
 
 void add_hits(double variance, identify::Mode& mode) {
@@ -237,7 +239,7 @@ void widen_to_stated_noise(const acquire::FrfRecord& given, const identify::FrfD
         points[residue.point].gain.energy += gain.energy;
       }
       if (!std.empty())
-        points[residue.point].add(stated_pole_scatter(set, modes, m, o, std::span(std).subspan(offset), variance));
+        points[residue.point].pole.add(stated_pole_scatter(set, modes, m, o, std::span(std).subspan(offset), variance));
       points[residue.point].weight += weight;
       weights += weight;
       variance_of_pole += weight * variance / fitted;
@@ -253,7 +255,9 @@ void widen_to_stated_noise(const acquire::FrfRecord& given, const identify::FrfD
     mode.freq_std_Hz = mode.freq_std_parts_Hz.total();
     mode.damping_std = mode.damping_std_parts.total();
   }
-  const PoleScatter all = mean_of_modes(hits);
+  MeanScatter of_modes;
+  for (const PoleScatter& one : hits) of_modes.add(one);
+  const PoleScatter all = of_modes.mean();
   for (std::size_t m = 0; m < modes.size(); ++m) add_hits(variance_of_hits(hits[m], all), modes[m]);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "identify/noise/line_noise.hpp"
+#include "pipeline/stages/blow_time.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -13,7 +14,6 @@ namespace {
 constexpr double kMinPretriggerSamples = 32;  // samples from a record's beginning to the pulse
 constexpr double kMinRingingNoise = 2e-4;     // least noise that hides the ringing, over the largest response
 constexpr std::size_t kMinNoiseLines = 512;   // fewest spectral lines for an estimate of the noise
-constexpr double kDecayed = 0.0025;           // after six time constants, as for the finding truncated_decay
 
 // Largest magnitude of a channel over the accepted hits, m/s².
 double largest_response_mps2(const std::vector<AnalysedHit>& hits, std::size_t channel) {
@@ -47,7 +47,7 @@ std::string ringing_modes(const std::vector<identify::Mode>& modes, const acquir
   for (const identify::Mode& mode : modes) {
     const double remaining = std::pow(identify::remaining_amplitude(mode.pole, lines, window_decay_per_s),
                                       1 - before_blow_s * lines.df_Hz());
-    if (remaining > kDecayed)
+    if (remaining > kRingingAmplitude)
       ringing += fmt::format("{}{:.1f} Hz ({:.1f} %)", ringing.empty() ? "" : ", ", mode.pole.freq_Hz, remaining * 100);
   }
   return ringing;
@@ -106,7 +106,8 @@ std::vector<Warning> frf_truncation_warnings(const std::vector<identify::Mode>& 
   return {with_remedy(
       {"truncated_decay",
        spacing +
-           "The fit cannot allow for it without the force: residues may be off by as much. The damping may be too "
+           "The FRFs show no time before the blow. Without it, or the force, the fit cannot allow for the missing "
+           "decay: residues may be off by as much. The damping may be too "
            "high by as much where the records begin before the blow, whatever its ±, and by more if the recorder "
            "applied an exponential window",
        {},
