@@ -58,13 +58,25 @@ NormalEquations VariableProjection::normal_equations(const ProjectedState& state
   return normal;
 }
 
+std::vector<NormalEquations> VariableProjection::sums_of_normal_equations(
+    const ProjectedState& state, std::size_t modes, std::size_t sums,
+    const std::function<std::size_t(std::size_t)>& sum_of) const {
+  const auto n = static_cast<Index>(2 * modes);
+  std::vector<NormalEquations> normal(sums, {.matrix = MatrixXd::Zero(n, n), .right = VectorXd::Zero(n)});
+  for (const ProjectedPart& part : state.parts)
+    add_normal_equations(part, [&](std::size_t o) -> NormalEquations& { return normal[sum_of(o)]; });
+  return normal;
+}
+
 std::vector<NormalEquations> VariableProjection::normal_equations_by_point(const ProjectedState& state,
                                                                            std::size_t modes) const {
-  const auto n = static_cast<Index>(2 * modes);
-  std::vector<NormalEquations> normal(set_.points.size(), {.matrix = MatrixXd::Zero(n, n), .right = VectorXd::Zero(n)});
-  for (const ProjectedPart& part : state.parts)
-    add_normal_equations(part, [&](std::size_t o) -> NormalEquations& { return normal[set_.channels[o].point]; });
-  return normal;
+  return sums_of_normal_equations(state, modes, set_.points.size(),
+                                  [&](std::size_t o) { return set_.channels[o].point; });
+}
+
+std::vector<NormalEquations> VariableProjection::normal_equations_by_channel(const ProjectedState& state,
+                                                                             std::size_t modes) const {
+  return sums_of_normal_equations(state, modes, set_.channels.size(), [](std::size_t o) { return o; });
 }
 
 void VariableProjection::add_normal_equations(const ProjectedPart& part,

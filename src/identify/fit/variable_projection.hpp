@@ -45,6 +45,9 @@ class VariableProjection {
   /// The normal equations of each point's FRFs alone, [points].
   std::vector<NormalEquations> normal_equations_by_point(const ProjectedState& state, std::size_t modes) const;
 
+  /// The normal equations of each FRF alone, [channels].
+  std::vector<NormalEquations> normal_equations_by_channel(const ProjectedState& state, std::size_t modes) const;
+
   /// Projects the polynomial and the columns of a part out of further columns, [lines, …].
   void project_out(const ProjectedPart& part, Eigen::MatrixXcd& further) const;
 
@@ -61,6 +64,10 @@ class VariableProjection {
   const std::vector<std::vector<std::size_t>>& channels_with_equal_columns(const std::vector<Pole>& poles) const;
   ProjectedPart solve(const std::vector<std::size_t>& channels, const std::vector<PointColumns>& mode_columns) const;
   void project(Eigen::MatrixXcd& columns) const;
+  // `sum_of`: the index of the sum to which an FRF belongs.
+  std::vector<NormalEquations> sums_of_normal_equations(const ProjectedState& state, std::size_t modes,
+                                                        std::size_t sums,
+                                                        const std::function<std::size_t(std::size_t)>& sum_of) const;
   void add_normal_equations(const ProjectedPart& part,
                             const std::function<NormalEquations&(std::size_t)>& sum_of) const;
 

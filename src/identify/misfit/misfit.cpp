@@ -14,6 +14,7 @@
 #include "identify/misfit/decay_terms.hpp"
 #include "identify/misfit/point_scatter.hpp"
 #include "identify/misfit/residual_correlation.hpp"
+#include "identify/noise/line_noise.hpp"
 
 namespace percuss::identify {
 namespace {
@@ -119,7 +120,8 @@ void widen(double misfit, StdParts& parts, double& std) {
   std = parts.total();
 }
 
-void add_misfit_of_window(const FrfDataset& set, const ModeWindow& window, std::vector<Mode>& modes) {
+void add_misfit_of_window(const FrfDataset& set, const LineNoise& line_noise, const ModeWindow& window,
+                          std::vector<Mode>& modes) {
   const std::vector<Pole> poles = window.poles(modes);
   const auto data = window_data(set, modes, window);
   const auto terms = static_cast<Index>(LocalFitOptions{}.residual_terms);
@@ -134,8 +136,12 @@ void add_misfit_of_window(const FrfDataset& set, const ModeWindow& window, std::
   const VectorXd shift = decay_term_shift(set, window, poles, projection, state, noise);
   const VectorXd smooth = smooth_misfit_std(projection, state, noise, used);
   VectorXd misfit = smooth.cwiseMax(shift);
-  if (set.points.size() >= kMinScatterPoints)
+  if (set.points.size() >= kMinScatterPoints) {
     misfit = misfit.cwiseMax(point_scatter_std(projection, state, poles.size()));
+  } else {
+    projection.set_noise_scale(line_noise.over(window.first, window.count));
+    misfit = misfit.cwiseMax(sensor_scatter_std(projection, state, poles.size()));
+  }
   for (std::size_t i = 0; i < poles.size(); ++i) {
     const auto f = static_cast<Index>(2 * i);
     Mode& mode = modes[window.modes[i]];
@@ -147,10 +153,11 @@ void add_misfit_of_window(const FrfDataset& set, const ModeWindow& window, std::
 void add_misfit_inside(const FrfDataset& set, std::vector<Mode>& modes) {
   if (modes.empty()) return;
   const std::vector<ModeWindow> windows = mode_windows(set, modes);
+  const LineNoise line_noise(set);
   parallel_for_cost(windows.size(), kFlopsPerLine * windows.front().count * set.channels.size(), [&](std::size_t w) {
     const bool scatters = std::any_of(windows[w].modes.begin(), windows[w].modes.end(),
                                       [&](std::size_t m) { return modes[m].freq_scatter_Hz > 0; });
-    if (!scatters) add_misfit_of_window(set, windows[w], modes);
+    if (!scatters) add_misfit_of_window(set, line_noise, windows[w], modes);
   });
 }
 

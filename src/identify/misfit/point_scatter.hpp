@@ -15,4 +15,11 @@ inline constexpr std::size_t kMinScatterPoints = 3;
 /// points. The noise_scale of `projection` is the residuals' standard deviation per line. theory (4.20)
 Eigen::VectorXd point_scatter_std(const VariableProjection& projection, const ProjectedState& state, std::size_t modes);
 
+/// The same for the FRFs of few points: the two sensors on a tube, for example, see its two planes, whose frequencies
+/// differ. The FRFs are not a sample of the structure, so the standard deviations cover what they show; 0 with one FRF.
+/// The noise_scale of `projection` is the noise without misfit. The residuals' standard deviations do not show the
+/// scatter: the fit that weights by them follows one FRF, and leaves its misfit to the others. theory (4.34)
+Eigen::VectorXd sensor_scatter_std(const VariableProjection& projection, const ProjectedState& state,
+                                   std::size_t modes);
+
 }  // namespace percuss::identify

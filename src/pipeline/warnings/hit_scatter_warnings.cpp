@@ -147,7 +147,8 @@ Warning misfit_warning(const std::string& list, const Mode& first, std::optional
   const std::string causes =
       std::string(force_known ? "" : "the noise of the force, if it had no force window, ") +
       "frequency or damping that changes during the decay (with the amplitude or with time), a weak mode beside a "
-      "strong one, a sensor's or filter's own response";
+      "strong one, two modes too close to separate (those of the two planes of a tube, for example), a sensor's or "
+      "filter's own response";
   if (!residual_end_Hz) {
     return with_remedy(
         {"model_misfit", text + ". Possible causes: " + causes + ", a mode just beyond the band", {"band"}},
