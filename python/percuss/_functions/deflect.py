@@ -88,10 +88,13 @@ def deflect(
     lowest : float in Hz, optional
         Omit frequencies below this; for `method` frequency.
     free_body : bool, optional
-        Let the structure move away from its rest position.
+        State that the structure may move away from its rest position: it hangs on rubber bands or
+        strings, or nothing holds it.
     effective_mass : float in kg, optional
-        Set the effective mass of the free body at the struck point; its rigid-body motion follows
-        from the force.
+        State that nothing pulls the structure back within the record, and its effective mass at the
+        struck point: 1/(1/m + d^2/J), with the mass m, the moment of inertia J about the centre of
+        mass, and the distance d of the blow from it. Its rigid-body motion then follows from the
+        force.
     positions : (lo, step, hi), optional
         Set the positions of the points along the structure in m, in order.
     beam_distance : float in m, optional
