@@ -52,7 +52,8 @@ struct AnalysisOptions {
   HitOptions hits{};
   std::optional<std::size_t> modes{};  // report this many, the clearest ones
   std::vector<double> start_Hz{};      // list modes near these frequencies and no others
-  double exponential = 0;              // exponential window that falls to this fraction at a hit's end; 0: none
+  double exponential = 0;              // exponential window that falls to this fraction at a hit's end; 0: none. For an
+                                       // FrfSet: the window with which it was computed, over records of 1/spacing
   std::vector<double> delay_s{};       // delays of the accelerations to take out; one for all or one per channel
   bool auto_delay = false;             // take out the delays that the phases of the modes show, in place of delay_s
   double overlay_dB = 1;               // FRFs that differ by no more at a peak count as overlaid

@@ -67,7 +67,7 @@ enum class FileGrouping { automatic, hits, points };
 
 enum class FrfKind { accelerance, mobility, receptance };
 
-/// The user's statements about a file. Each overrides what the file states.
+/// The user's statements about a file. Each overrides what the file states, unless its comment says otherwise.
 struct ReadOptions {
   std::optional<double> fs_Hz{};
   std::string fs_variable{};                        // the variable of a MAT file that holds the rate
@@ -84,6 +84,7 @@ struct ReadOptions {
   std::vector<double> angle_rad{}, position_m{};    // per acceleration channel
   std::string setup{};                              // path of a channel set-up, JSON
   std::optional<FrfKind> frf_kind{};                // of a file of FRFs
+  std::optional<std::size_t> averages{};            // of every FRF of a file, at least 1; the file must not contradict
   FileGrouping files = FileGrouping::automatic;
   bool force_optional = false;  // accept a file without force, for deflections
   bool trust_input = false;     // read MAT, HDF5 and sound files in this process, not in a sandbox

@@ -280,9 +280,25 @@ def test_frfs_under_an_exponential_window_have_the_damping_without_it():
     unstated = percuss.analyze(percuss.Frf(FREQ_HZ, seen), band=(60, 700), object="other")
     # The numerators then differ from the model's; the residual terms describe the difference to about 1e-9.
     assert np.allclose(unstated.poles, POLES - decay_per_s, rtol=1e-7)
+    later = percuss.analyze(percuss.Frf(FREQ_HZ, seen), band=(60, 700), object="other", exponential=fraction)
+    assert np.allclose(later.damping_ratio, DAMPING, rtol=FIT)
+    with pytest.raises(percuss.InputError, match="contradicts the FRFs, which state 4.6052 1/s"):
+        percuss.analyze(percuss.Frf(FREQ_HZ, seen, exponential=fraction), band=(60, 700), exponential=0.1)
     for wrong in (0, 1, -0.1, "x", np.nan):
         with pytest.raises(percuss.InputError, match="is no fraction \\(exponential\\)"):
             percuss.Frf(FREQ_HZ, seen, exponential=wrong)
+
+
+def test_averages_are_stated_when_the_frfs_are_made_or_later():
+    coherence = np.full((1, 2, 800), 0.99)
+    known = percuss.Frf(FREQ_HZ, exact(FREQ_HZ)[:1], coherence=coherence, averages=6)
+    unknown = percuss.Frf(FREQ_HZ, exact(FREQ_HZ)[:1], coherence=coherence)
+    options = {"band": (60, 700), "object": "other"}
+    own, later, without = percuss.analyze(known, **options), percuss.analyze(unknown, averages=6, **options), percuss.analyze(unknown, **options)
+    assert np.array_equal(later.residues_std, own.residues_std)
+    assert (later.residues_std > 10 * without.residues_std).all()
+    with pytest.raises(percuss.InputError, match="of 5 contradicts the file, which states 6"):
+        percuss.analyze(known, averages=5, **options)
 
 
 def test_deviations_that_the_lines_do_not_show_widen_the_residues_alone():

@@ -65,8 +65,7 @@ std::vector<BatchResult> batch_of(std::size_t count, const BatchOptions& options
 }  // namespace api
 
 std::vector<BatchResult> analyze_batch(const std::vector<std::string>& paths, const BatchOptions& options) {
-  const acquire::FrfReadOptions read{.read = api::read_options(options.read),
-                                     .kind = api::frf_kind(options.read.frf_kind)};
+  const acquire::FrfReadOptions read = api::frf_read_options(options.read);
   std::mutex one_fork;  // a sandbox is a fork of this process: one at a time
   return api::batch_of(
       paths.size(), options, [&](std::size_t i) { return paths[i]; },

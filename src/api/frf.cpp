@@ -48,8 +48,14 @@ acquire::FrfKind frf_kind(FrfKind kind) {
   return kind == FrfKind::receptance ? acquire::FrfKind::receptance : acquire::FrfKind::accelerance;
 }
 
-std::optional<acquire::FrfKind> frf_kind(const std::optional<FrfKind>& kind) {
-  return kind ? std::optional(frf_kind(*kind)) : std::nullopt;
+acquire::FrfReadOptions frf_read_options(const ReadOptions& options) {
+  if (options.averages &&
+      !(*options.averages >= 1 && static_cast<double>(*options.averages) <= acquire::kMaxAverages)) {
+    throw InputError("the number of averages is not possible", "ReadOptions::averages", "give 1 to 10^9", {"averages"});
+  }
+  acquire::FrfReadOptions out{.read = read_options(options), .kind = std::nullopt, .averages = options.averages};
+  if (options.frf_kind) out.kind = frf_kind(*options.frf_kind);
+  return out;
 }
 
 FrfKind public_kind(acquire::FrfKind kind) {
@@ -102,8 +108,7 @@ FrfSet estimate_frfs(const Record& record, const FrfOptions& options) {
 }
 
 FrfSet open_frfs(const std::string& path, const ReadOptions& options) {
-  auto opened =
-      acquire::open_measurement(path, {.read = api::read_options(options), .kind = api::frf_kind(options.frf_kind)});
+  auto opened = acquire::open_measurement(path, api::frf_read_options(options));
   auto* const frfs = std::get_if<acquire::FrfRecord>(&opened);
   if (frfs == nullptr) throw InputError("the file holds a time record, not FRFs", path, "use open_record");
   const FrfKind kind = api::public_kind(frfs->kind);

@@ -46,7 +46,8 @@ FrfSet make_frf_set(acquire::FrfRecord record, FrfKind kind);
 
 /// errors  InputError: the set-up file cannot be read.
 acquire::ReadOptions read_options(const ReadOptions& options);
-std::optional<acquire::FrfKind> frf_kind(const std::optional<FrfKind>& kind);
+/// As above, with the statements about FRFs. errors  InputError: 0 averages.
+acquire::FrfReadOptions frf_read_options(const ReadOptions& options);
 acquire::FrfKind frf_kind(FrfKind kind);
 FrfKind public_kind(acquire::FrfKind kind);
 

@@ -14,7 +14,7 @@ struct FieldName {
   std::string_view aggregate, field;
 };
 
-constexpr std::array<FieldName, 55> kFields{{
+constexpr std::array<FieldName, 56> kFields{{
     {"ReadOptions", "fs_Hz"},
     {"ReadOptions", "df_Hz"},
     {"ReadOptions", "force_channel"},
@@ -30,6 +30,7 @@ constexpr std::array<FieldName, 55> kFields{{
     {"ReadOptions", "position_m"},
     {"ReadOptions", "setup"},
     {"ReadOptions", "frf_kind"},
+    {"ReadOptions", "averages"},
     {"ReadOptions", "files"},
     {"ReadOptions", "trust_input"},
     {"HitOptions", "trigger_N"},

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <charconv>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "batch/line_reader.hpp"
@@ -22,7 +23,7 @@ namespace {
 constexpr std::size_t kLongestLine_bytes = std::size_t{1} << 30U;  // holds the FRFs of a survey
 constexpr std::size_t kDigits = 16;                                // of the digest, in hexadecimal
 constexpr char kBetweenRows = '\t';                                // rows do not contain it: JSON escapes it
-constexpr std::string_view kBegun = "begun ", kDone = "done ", kOpen = "open ";
+constexpr std::string_view kBegun = "begun ", kDone = "done ", kOpen = "open ", kAgain = "again ";
 
 std::string digits_of(std::string_view rows) { return report::hexadecimal(report::sha256(rows)).substr(0, kDigits); }
 
@@ -32,6 +33,13 @@ std::optional<std::size_t> take_number(std::string_view& text) {
   if (error != std::errc{}) return std::nullopt;
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   return value;
+}
+
+// The record of a line "again INDEX".
+std::optional<std::size_t> reopened_record(std::string_view line) {
+  if (!line.starts_with(kAgain)) return std::nullopt;
+  line.remove_prefix(kAgain.size());
+  return take_number(line);
 }
 
 struct CompletedLine {
@@ -93,12 +101,24 @@ void Journal::load(const ShardLabel& label, bool anew) {
 }
 
 void Journal::take(std::string_view line, std::uint64_t offset) {
+  const auto within = [&](std::size_t index) { return index >= range_.first && index < range_.last; };
+  if (const auto again = reopened_record(line); again && within(*again)) discard(*again);
   const auto done = completed_line(line);
-  if (!done || done->index < range_.first || done->index >= range_.last || has(done->index)) return;
+  if (!done || !within(done->index) || has(done->index)) return;
   entries_[done->index - range_.first] = {
-      .offset = offset + static_cast<std::uint64_t>(done->rows.data() - line.data()), .bytes = done->rows.size()};
+      .offset = offset + static_cast<std::uint64_t>(done->rows.data() - line.data()),
+      .bytes = done->rows.size(),
+      .failed = done->failed};
   ++finished_;
   failed_ += done->failed ? 1U : 0U;
+}
+
+void Journal::discard(std::size_t index) {
+  if (!has(index)) return;
+  Entry& entry = entries_[index - range_.first];
+  --finished_;
+  failed_ -= entry.failed ? 1U : 0U;
+  entry = {};
 }
 
 void Journal::remove_incomplete_line() {
@@ -128,7 +148,7 @@ void Journal::finish(std::size_t index, bool failed, const std::vector<std::stri
   const std::string start = fmt::format("{}{} {} {} ", kDone, index, failed ? 1 : 0, digits_of(rows));
   const std::scoped_lock lock(mutex_);
   append(start + rows + "\n");
-  entries_[index - range_.first] = {.offset = end_ - 1 - rows.size(), .bytes = rows.size()};
+  entries_[index - range_.first] = {.offset = end_ - 1 - rows.size(), .bytes = rows.size(), .failed = failed};
   ++finished_;
   failed_ += failed ? 1U : 0U;
 }
@@ -140,6 +160,12 @@ void Journal::leave_open(std::size_t index, const std::string& reason) {
   } catch (const MachineFault&) {
     // The disk has no room for the reason either. The record is open without it.
   }
+}
+
+void Journal::reopen(std::size_t index) {
+  const std::scoped_lock lock(mutex_);
+  append(fmt::format("{}{}\n", kAgain, index));
+  discard(index);
 }
 
 std::string Journal::rows(std::size_t index) const {
@@ -161,6 +187,7 @@ void remove_abandoned_journal(const std::string& path) {
 
 JournalState journal_state(const std::string& path) {
   std::map<std::size_t, std::size_t> begun;  // how often each unfinished record was begun
+  std::set<std::size_t> finished;
   JournalState state;
   const PartFile file = PartFile::existing(path);
   if (!file.present()) return state;
@@ -168,12 +195,14 @@ JournalState journal_state(const std::string& path) {
   while (lines.next() && lines.ended()) {
     std::string_view line = lines.line();
     if (const auto done = completed_line(line)) {
-      ++state.finished;
+      finished.insert(done->index);
       begun.erase(done->index);
       state.open.erase(done->index);
     } else if (line.starts_with(kBegun)) {
       line.remove_prefix(kBegun.size());
       if (const auto index = take_number(line)) ++begun[*index];
+    } else if (const auto again = reopened_record(line)) {
+      finished.erase(*again);
     } else if (line.starts_with(kOpen)) {
       line.remove_prefix(kOpen.size());
       const auto index = take_number(line);
@@ -182,6 +211,7 @@ JournalState journal_state(const std::string& path) {
       state.open[*index] = line.substr(1);
     }
   }
+  state.finished = finished.size();
   for (const auto& [index, times] : begun) {
     if (times > 1) state.stuck.push_back(index);
   }

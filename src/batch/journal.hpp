@@ -18,6 +18,7 @@ namespace percuss::batch {
 ///   begun 17     record 17 is being analysed
 ///   done 17 …    its rows, with a digest: a line damaged by a system crash counts as absent
 ///   open 17 …    a fault of the machine: the next run analyses record 17 again
+///   again 17     the rows of record 17 no longer count: its file, which was lost, is back
 /// Several threads may call begin(), finish() and leave_open() at the same time.
 /// errors  InputError: another process analyses this shard; the file is from another plan or version (unless `anew`),
 /// or not a journal; MachineFault: the disk is full or failed
@@ -30,10 +31,14 @@ class Journal {
   bool has(std::size_t index) const { return entries_[index - range_.first].bytes > 0; }
   std::size_t finished() const { return finished_; }
   std::size_t failed() const { return failed_; }
+  /// Whether a finished record failed.
+  bool failed(std::size_t index) const { return entries_[index - range_.first].failed; }
   void begin(std::size_t index);
   void finish(std::size_t index, bool failed, const std::vector<std::string>& lines);
   /// Notes why a record is not finished, if the disk allows it.
   void leave_open(std::size_t index, const std::string& reason);
+  /// Discards the rows of a finished record.
+  void reopen(std::size_t index);
   /// The rows of a finished record, each with its line end.
   std::string rows(std::size_t index) const;
   /// Removes the file after the rows of the shard have been written.
@@ -43,9 +48,11 @@ class Journal {
   struct Entry {
     std::uint64_t offset = 0;
     std::uint64_t bytes = 0;  // 0: not finished
+    bool failed = false;
   };
   void load(const ShardLabel& label, bool anew);
   void take(std::string_view line, std::uint64_t offset);
+  void discard(std::size_t index);
   void append(const std::string& line);
   void remove_incomplete_line();
 

@@ -30,17 +30,22 @@ constexpr int kInternalError = 1, kUsageError = 2, kBadInput = 3, kImpossible = 
 
 std::string line_of(const Json& row) { return row.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
+// In the messages of require_unchanged(), by which file_came_back() recognises them, and in no other.
+constexpr std::string_view kPlanned = "the batch was planned";
+
 void require_unchanged(const BatchRecord& record) {
+  constexpr const char* kRestore = "restore it and run the batch again, or plan the batch again";
   std::error_code absent;
   const std::uint64_t bytes = std::filesystem::file_size(record.path, absent);
+  if (absent == std::errc::no_such_file_or_directory)
+    throw InputError(fmt::format("the file is missing; it existed when {}", kPlanned), record.path, kRestore);
   if (absent) return;  // opening the file reports it
   if (bytes != record.bytes) {
-    throw InputError(fmt::format("the file has {} bytes; it had {} when the batch was planned", bytes, record.bytes),
-                     record.path, "restore it, or plan the batch again");
+    throw InputError(fmt::format("the file has {} bytes; it had {} when {}", bytes, record.bytes, kPlanned),
+                     record.path, kRestore);
   }
   if (!record.sha256.empty() && sha256_of_record(record.path) != record.sha256) {
-    throw InputError("the file changed after the batch was planned: its SHA-256 differs", record.path,
-                     "restore it, or plan the batch again");
+    throw InputError(fmt::format("the file changed after {}: its SHA-256 differs", kPlanned), record.path, kRestore);
   }
 }
 
@@ -239,6 +244,19 @@ RecordRows rows_of(const BatchRecord& record, const RowOptions& options) {
     for (const Json& row : *kind) out.lines.push_back(line_of(row));
   }
   return out;
+}
+
+bool file_came_back(const BatchRecord& record, std::string_view record_row) {
+  const auto row = nlohmann::json::parse(record_row, nullptr, false);
+  if (!row.is_object() || row.value("code", 0) != kBadInput || !row.contains("reason") || !row["reason"].is_string() ||
+      row["reason"].get_ref<const std::string&>().find(kPlanned) == std::string::npos)
+    return false;
+  try {
+    require_unchanged(record);
+  } catch (const InputError&) {
+    return false;
+  }
+  return true;
 }
 
 }  // namespace percuss::batch

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "acquire/record/frf_record.hpp"
@@ -36,5 +37,9 @@ struct RecordRows {
 /// replaced.
 /// errors  MachineFault: the machine failed, so there is no result
 RecordRows rows_of(const BatchRecord& record, const RowOptions& options);
+
+/// Whether the record failed because its file was missing or not as planned, and the file is as planned now: the record
+/// can be analysed. `record_row` is the first line of rows_of().
+bool file_came_back(const BatchRecord& record, std::string_view record_row);
 
 }  // namespace percuss::batch

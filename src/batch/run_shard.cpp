@@ -2,13 +2,20 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <new>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "batch/journal.hpp"
+#include "batch/line_reader.hpp"
 #include "batch/part_file.hpp"
 #include "batch/retries.hpp"
+#include "batch/row_writer.hpp"
 #include "batch/sha256_file.hpp"
 #include "core/error.hpp"
 #include "core/io/atomic_file.hpp"
@@ -47,6 +54,64 @@ std::optional<FinishedShard> finished_shard_before(const ShardJob& job, const Sh
   std::error_code absent;
   const auto bytes = std::filesystem::file_size(part_path(job.folder, job.shard, "jsonl"), absent);
   return absent || bytes != part->bytes ? std::nullopt : part;
+}
+
+constexpr std::size_t kLongestRowOfPart_bytes = std::size_t{1} << 30U;
+
+// Calls use(index, rows) for each record of a finished part, in order. Precondition: `part` holds as many records as
+// the range.
+void for_each_record(const std::string& path, ShardRange range,
+                     const std::function<void(std::size_t, const std::vector<std::string>&)>& use) {
+  const PartFile file = PartFile::existing(path);
+  LineReader lines(file.descriptor(), path, kLongestRowOfPart_bytes);
+  std::size_t index = range.first;
+  std::vector<std::string> rows;
+  const auto end_record = [&] {
+    if (!rows.empty()) use(index++, rows);
+    rows.clear();
+  };
+  while (lines.next()) {
+    if (lines.number() == 1) continue;  // the label
+    if (lines.line().starts_with(kRecordRow)) end_record();
+    rows.emplace_back(lines.line());
+  }
+  end_record();
+}
+
+bool is_failed_row(std::string_view record_row) {
+  const auto row = nlohmann::json::parse(record_row, nullptr, false);
+  return row.is_object() && row.value("code", 0) != 0;
+}
+
+// The records of a finished shard that failed because their file was lost or changed, and whose file is back.
+std::set<std::size_t> records_that_came_back(const ShardJob& job, const FinishedShard& part, ShardRange range) {
+  std::set<std::size_t> back;
+  if (part.failed == 0 || part.records != range.size()) return back;
+  for_each_record(part_path(job.folder, job.shard, "jsonl"), range, [&](std::size_t i, const auto& rows) {
+    if (i < range.last && file_came_back(job.manifest->record(i), rows.front())) back.insert(i);
+  });
+  return back;
+}
+
+// Moves the other records of a finished shard to the journal. From then on the shard counts as unfinished.
+void reopen_shard(const ShardJob& job, ShardRange range, const std::set<std::size_t>& back, Journal& journal) {
+  for_each_record(part_path(job.folder, job.shard, "jsonl"), range, [&](std::size_t i, const auto& rows) {
+    if (i < range.last && !back.contains(i) && !journal.has(i)) journal.finish(i, is_failed_row(rows.front()), rows);
+  });
+  const std::string mark = part_path(job.folder, job.shard, "ok");
+  std::error_code problem;
+  std::filesystem::remove(mark, problem);
+  if (problem) throw_system_error("cannot remove", problem.value(), mark, "choose another folder");
+}
+
+// Opens the records of an unfinished shard again that failed because their file was lost or changed, and whose file is
+// back.
+void reopen_records(const ShardJob& job, ShardRange range, Journal& journal) {
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    if (!journal.has(i) || !journal.failed(i)) continue;
+    const std::string rows = journal.rows(i);
+    if (file_came_back(job.manifest->record(i), std::string_view(rows).substr(0, rows.find('\n')))) journal.reopen(i);
+  }
 }
 
 struct ProblemsOfRun {
@@ -93,16 +158,22 @@ ShardOutcome run_shard(const ShardJob& job) {
   if (range.size() == 0) return {.part = {.label = label}};
   const std::string journal_path = part_path(job.folder, job.shard, "partial");
   for (const char* kind : {"jsonl", "ok"}) require_replaceable(part_path(job.folder, job.shard, kind));
-  if (auto part = finished_shard_before(job, label)) {
+  const auto finished_before = finished_shard_before(job, label);
+  if (finished_before && records_that_came_back(job, *finished_before, range).empty()) {
     remove_abandoned_journal(journal_path);
-    return {.part = *part};
+    return {.part = *finished_before};
   }
   Journal journal(journal_path, label, range, job.force);
   // The process that held the journal until now may have finished the shard.
   if (auto part = finished_shard_before(job, label)) {
-    journal.remove();
-    return {.part = *part};
+    const std::set<std::size_t> back = records_that_came_back(job, *part, range);
+    if (back.empty()) {
+      journal.remove();
+      return {.part = *part};
+    }
+    reopen_shard(job, range, back, journal);
   }
+  reopen_records(job, range, journal);
   std::vector<std::size_t> left;
   for (std::size_t i = range.first; i < range.last; ++i) {
     if (!journal.has(i)) left.push_back(i);

@@ -40,10 +40,11 @@ struct ShardOutcome {
   std::vector<RecordProblem> open;
 };
 
-/// Analyses the unfinished records of a shard, then writes part-i.jsonl and part-i.ok. Does nothing for a shard with a
-/// valid part-i.ok, and writes nothing for a shard without records. The rows depend neither on the number of threads
-/// nor on interruptions. A faulty record is a row, not an error. A record that a fault of the machine stops is tried
-/// again, then left open for the next run.
+/// Analyses the unfinished records of a shard, then writes part-i.jsonl and part-i.ok. Also analyses records that
+/// failed because their file was missing or not as planned, if the file is as planned now. Does nothing else for a
+/// shard with a valid part-i.ok, and writes nothing for a shard without records. The rows depend neither on the number
+/// of threads nor on interruptions. A faulty record is a row, not an error. A record that a fault of the machine stops
+/// is tried again, then left open for the next run.
 /// errors  InputError: the folder cannot be written or holds results of another plan; something else has the name of a
 ///         part; another process analyses this shard. MachineFault: the files of the shard cannot be written
 ShardOutcome run_shard(const ShardJob& job);

@@ -21,6 +21,13 @@ constexpr std::size_t kToneReach = 2;  // times the length of the transforms; la
 // Of the samples: transforms of a smaller part are reported as cut. Fast lengths alone use 0.99 or more.
 constexpr double kMaxUsedPart = 0.97;
 
+// The FRFs with the window that the user states: it falls to `end` within their records, 1/df.
+acquire::FrfRecord with_stated_window(acquire::FrfRecord frfs, double end) {
+  if (!(end > 0)) return frfs;
+  const double decay_per_s = frf::decay_for_end(end, 1 / frfs.lines.df_Hz());
+  return acquire::with_exponential_window(std::move(frfs), decay_per_s);
+}
+
 }  // namespace
 
 Analysis::Analysis(acquire::Record record, AnalysisOptions options)
@@ -29,14 +36,13 @@ Analysis::Analysis(acquire::Record record, AnalysisOptions options)
       budget_(budget_of(options_, source_->record()), source_->record().source()) {}
 
 Analysis::Analysis(acquire::FrfRecord frfs, AnalysisOptions options)
-    : source_(std::make_shared<FrfSource>(std::move(frfs))),
+    : source_(std::make_shared<FrfSource>(with_stated_window(std::move(frfs), options.exponential_end))),
       options_(std::move(options)),
       budget_(budget_of(options_, source_->record()), source_->record().source()) {
   const auto refuse = [&](const char* choice, const char* option) {
     throw InputError(std::string(choice) + " needs records in time, not FRFs", record().source(), "leave it out",
                      {option});
   };
-  if (options_.exponential_end > 0) refuse("an exponential window", "exponential");
   if (options_.estimator != frf::Estimator::h1) refuse("an estimator other than H1", "estimator");
   if (options_.delays.automatic || !options_.delays.delay_s.empty()) refuse("a correction of delays", "delay");
 }
@@ -100,7 +106,7 @@ acquire::LineRange Analysis::band_lines() const {
 }
 
 double Analysis::window_decay_per_s() const {
-  if (!(options_.exponential_end > 0)) return source_->window_decay_per_s();
+  if (given_frfs() != nullptr || !(options_.exponential_end > 0)) return source_->window_decay_per_s();
   return frf::decay_for_end(options_.exponential_end,
                             static_cast<double>(line_choice().lines.samples) / record().fs_Hz);
 }

@@ -44,7 +44,8 @@ class Analysis {
   /// errors  InputError: no acceleration channel.
   Analysis(acquire::Record record, AnalysisOptions options);
   /// A test of which only the FRFs are known: no hits, no force.
-  /// errors  InputError: options that need a time record.
+  /// options.exponential_end is the window with which they were computed, over records of 1/df.
+  /// errors  InputError: options that need a time record; a window other than the one that the FRFs state.
   Analysis(acquire::FrfRecord frfs, AnalysisOptions options);
 
   /// The record. For FRFs that were given: their files, channels and geometry, without rows.

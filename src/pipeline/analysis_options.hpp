@@ -21,7 +21,7 @@ struct AnalysisOptions {
   frf::Estimator estimator = frf::Estimator::h1;     // of the FRFs shown; modes are fitted to H1, whose noise is known
   acquire::HitOptions hits;
   std::vector<std::size_t> accept_hits, reject_hits;  // indices of hits, or kEveryHit; overrule the findings
-  double exponential_end = 0;                         // end value of the exponential window, relative; 0: no window
+  double exponential_end = 0;                         // end value of the exponential window, relative; 0: none
   DelayCorrection delays;
   identify::IdentifyOptions modes;
   identify::ClassifyOptions classes;

@@ -143,9 +143,12 @@ std::vector<Warning> Analysis::warnings_of_channels(const HitEvidence& evidence)
   append(out, rest_warnings(graded, earlier_ringing_.ready() ? earlier_ringing() : std::vector<EarlierRinging>{},
                             known_tones()));
   if (modes_.ready()) {
-    const SensorDirections sensors{
-        .angles_assumed = options_.classes.angles_assumed,
-        .tube = classifications_.ready() ? tube_sensors(typing_accel(), classifications()) : std::nullopt};
+    SensorDirections sensors{.angles_assumed = options_.classes.angles_assumed};
+    if (classifications_.ready()) {
+      sensors.tube = tube_sensors(typing_accel(), classifications());
+      for (const identify::ModeClassification& one : classifications())
+        sensors.hoop.push_back(one.type == identify::ModeType::hoop);
+    }
     append(out, channel_mode_warnings(record(), modes(), channel_findings(), force_known, sensors, silent_channels(),
                                       types_need));
   }

@@ -43,6 +43,7 @@ TEST(OptionFields, AreTheIdentifierAndItsUnit) {
       {"fs", "ReadOptions::fs_Hz"},
       {"accel_channel", "ReadOptions::accel_channel"},
       {"unit", "ReadOptions::unit"},
+      {"averages", "ReadOptions::averages"},
       {"angle", "ReadOptions::angle_rad"},
       {"band", "AnalysisOptions::band_Hz"},
       {"overlay_db", "AnalysisOptions::overlay_dB"},
@@ -75,6 +76,7 @@ TEST(OptionFields, ExistForTheOptionsOfTheCommandLine) {
 
 TEST(PublicErrors, NameTheFieldOfTheOption) {
   const Record record = synthesise_preset("wood-bat").record;
+  EXPECT_THAT(field_message([&] { open_frfs("x.csv", {.averages = 0}); }), HasSubstr("(ReadOptions::averages)"));
   EXPECT_THAT(field_message([&] { Analysis(record, {.band_Hz = Band{.low_Hz = 10, .high_Hz = 5}}); }),
               HasSubstr("(AnalysisOptions::band_Hz)"));
   EXPECT_THAT(field_message([&] { find_hits(record, {.from_s = 2, .to_s = 1}); }),

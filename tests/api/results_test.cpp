@@ -218,6 +218,27 @@ TEST_F(PublicResults, FrfsGivenAsArraysGiveTheModesOfTheirFile) {
   for (std::size_t m = 0; m < modes.size(); ++m) EXPECT_EQ(modes[m].freq_Hz, of_file[m].freq_Hz);
 }
 
+TEST_F(PublicResults, TakeStatedAveragesAndTheWindowOfFrfs) {
+  FrfSet frfs = estimate_frfs(synthesise_preset("wood-bat").record, {.band_Hz = kBand, .exponential = 0.01});
+  std::vector<Frf> bare = frfs.frfs();
+  for (Frf& one : bare) {
+    one.std.clear();
+    one.averages = 0;
+  }
+  const FrfSet given = frfs_from_arrays({.freq_Hz = frfs.freq_Hz(), .frfs = bare, .kind = frfs.kind()});
+  const std::string path = folder_.file("bare.h5");
+  write(path, given);
+  EXPECT_TRUE(open_frfs(path).frfs()[0].std.empty());
+  const FrfSet stated = open_frfs(path, {.averages = frfs.frfs()[0].averages});
+  ASSERT_EQ(stated.frfs()[0].std.size(), frfs.freq_Hz().size());
+  for (std::size_t k = 0; k < frfs.freq_Hz().size(); k += 100)
+    EXPECT_NEAR(stated.frfs()[0].std[k] / frfs.frfs()[0].std[k], 1, 1e-6);
+  const std::vector<Mode> modes = Analysis(frfs, {.effort = Effort::quick}).modes();
+  const std::vector<Mode> again = Analysis(given, {.effort = Effort::quick, .exponential = 0.01}).modes();
+  ASSERT_EQ(again.size(), modes.size());
+  for (std::size_t m = 0; m < modes.size(); ++m) EXPECT_NEAR(again[m].damping_ratio / modes[m].damping_ratio, 1, 1e-6);
+}
+
 TEST_F(PublicResults, FrfsComeBackFromMobility) {
   constexpr double kRounding = 1e-13;  // two complex products
   const FrfSet frfs = estimate_frfs(synthesise_preset("wood-bat").record, {.band_Hz = Band{60, 600}});

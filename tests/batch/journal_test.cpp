@@ -41,6 +41,28 @@ TEST_F(BatchJournal, KeepsFinishedRecords) {
   EXPECT_EQ(journal.rows(11), "{\"c\":3}\n");
 }
 
+TEST_F(BatchJournal, ForgetsTheRowsOfARecordThatIsOpenedAgain) {
+  {
+    Journal journal = open();
+    journal.finish(12, true, {R"({"a":1})"});
+    journal.finish(13, false, {R"({"c":3})"});
+    journal.reopen(12);
+    EXPECT_FALSE(journal.has(12));
+    EXPECT_EQ(journal.finished(), 1U);
+    EXPECT_EQ(journal.failed(), 0U);
+  }
+  EXPECT_EQ(journal_state(path_).finished, 1U);
+  {
+    Journal journal = open();
+    EXPECT_FALSE(journal.has(12));
+    EXPECT_EQ(journal.failed(), 0U);
+    journal.begin(12);
+    journal.finish(12, false, {R"({"a":2})"});
+  }
+  EXPECT_EQ(journal_state(path_).finished, 2U);
+  EXPECT_EQ(open().rows(12), "{\"a\":2}\n");
+}
+
 // A killed writer may leave the file cut off at any byte.
 TEST_F(BatchJournal, LosesAtMostTheLastLineWhenCutOff) {
   std::vector<std::size_t> ends;

@@ -15,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "batch/journal.hpp"
 #include "batch/merge.hpp"
 #include "batch/part_file.hpp"
 #include "batch/status.hpp"
@@ -225,6 +226,66 @@ TEST_F(RunShard, RemovesTheJournalThatAKillAtTheEndLeaves) {
   write_bytes(part_path(out_, 0, "partial"), label_line(outcome.part.label) + "\nbegun 0\n");
   EXPECT_EQ(run_shard(job()).analysed, 0U);
   EXPECT_EQ(files(), 2U);
+}
+
+// A mount that is absent, for example. The rows are those of a run that had all files.
+TEST_F(RunShard, AnalysesRecordsWhoseFilesCameBack) {
+  plan(3);
+  run_shard(job());
+  const std::string rows = bytes_of(part_path(out_, 0, "jsonl"));
+  fs::remove_all(out_);
+  fs::create_directory(out_);
+  const std::string path = folder_.file("r1.csv"), away = folder_.file("away.csv"), whole = bytes_of(path);
+  fs::rename(path, away);
+  const ShardOutcome lost = run_shard(job());
+  ASSERT_THAT(lost.failed, SizeIs(1));
+  EXPECT_EQ(lost.failed[0].index, 1U);
+  EXPECT_THAT(lost.failed[0].reason, HasSubstr("the file is missing; it existed when the batch was planned"));
+  EXPECT_EQ(lost.part.failed, 1U);
+  EXPECT_EQ(run_shard(job()).analysed, 0U) << "still missing";
+  write_bytes(path, whole + "\n");
+  EXPECT_EQ(run_shard(job()).analysed, 0U) << "not as planned";
+  write_bytes(path, whole);
+  const ShardOutcome back = run_shard(job());
+  EXPECT_EQ(back.analysed, 1U);
+  EXPECT_THAT(back.failed, IsEmpty());
+  EXPECT_EQ(back.part.records, 3U);
+  EXPECT_EQ(back.part.failed, 0U);
+  EXPECT_EQ(bytes_of(part_path(out_, 0, "jsonl")), rows);
+  EXPECT_EQ(files(), 2U);
+  EXPECT_EQ(run_shard(job()).analysed, 0U);
+  EXPECT_EQ(merge_batch(*manifest_, out_, {folder_.file("r.jsonl")}).records, 3U);
+}
+
+// A run that was killed after the record had failed.
+TEST_F(RunShard, AnalysesRecordsOfAnUnfinishedShardWhoseFilesCameBack) {
+  plan(3);
+  const std::string path = folder_.file("r1.csv"), away = folder_.file("away.csv");
+  fs::rename(path, away);
+  const RecordRows failed = rows_of(manifest_->record(1), options_);
+  ASSERT_TRUE(failed.failed);
+  Journal(part_path(out_, 0, "partial"), label_of(*manifest_, 0, 1), manifest_->shard(0, 1), false)
+      .finish(1, true, failed.lines);
+  EXPECT_EQ(batch_status(*manifest_, out_).finished, 1U);
+  fs::rename(away, path);
+  const ShardOutcome outcome = run_shard(job());
+  EXPECT_EQ(outcome.analysed, 3U);
+  EXPECT_EQ(outcome.part.records, 3U);
+  EXPECT_EQ(outcome.part.failed, 0U);
+}
+
+// Their files are as planned: they would fail again.
+TEST_F(RunShard, LeavesOtherFailedRecords) {
+  plan(1);
+  write_bytes(folder_.file("bad.csv"), "no,record\n");
+  write_manifest(folder_.file("m.jsonl"), {.version = report::version()},
+                 {{.id = "bad", .path = folder_.file("bad.csv"), .bytes = fs::file_size(folder_.file("bad.csv"))}},
+                 true);
+  manifest_.emplace(folder_.file("m.jsonl"));
+  EXPECT_EQ(run_shard(job()).part.failed, 1U);
+  const ShardOutcome again = run_shard(job());
+  EXPECT_EQ(again.analysed, 0U);
+  EXPECT_EQ(again.part.failed, 1U);
 }
 
 }  // namespace percuss::batch::run_shard_test

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <sstream>
 
 #include "support/files/synthetic_files.hpp"
 #include "support/json.hpp"
@@ -23,6 +24,7 @@ using testing::IsEmpty;
 // Relative tolerance of a frequency: FRFs end at the edges of the band, and their fit does not model the end of the
 // record.
 constexpr double kFreqTolerance = 1e-5;
+constexpr std::size_t kHits = 3;  // of write_small_test()
 
 class FrfInput : public testing::Test {
  protected:
@@ -117,6 +119,71 @@ TEST_F(FrfInput, CorrectsForTheWindowOfTheFrfs) {
   }
 }
 
+// percuss frf states the window. Without its comment, the table is that of a program which does not.
+TEST_F(FrfInput, TakesTheWindowThatTheUserStates) {
+  for (const char* kind : {"accelerance", "mobility", "receptance"}) {
+    ASSERT_EQ(run_percuss({"frf", file("bat.h5"), "--band", "60:1000", "--exponential", "0.01", "--kind", kind, "-o",
+                           file("stated.csv"), "--force"})
+                  .code,
+              0);
+    const json stated = analysed({file("stated.csv")});
+    const std::string text = test::bytes_of(file("stated.csv"));
+    test::write_bytes(file("unstated.csv"), text.substr(text.find('\n') + 1));
+    const std::vector<std::string> words{file("unstated.csv"), "--frf-kind", kind, "--angle", "0,90"};
+    EXPECT_GT(analysed(words)["modes"][0]["damping_ratio"].get<double>(), 0.013) << "the window's damping is in it";
+    std::vector<std::string> with = words;
+    with.insert(with.end(), {"--exponential", "0.01"});
+    const json document = analysed(with);
+    ASSERT_EQ(document["modes"].size(), 2U) << kind;
+    for (std::size_t m = 0; m < 2; ++m) {
+      const json &a = stated["modes"][m], &b = document["modes"][m];
+      for (const char* key : {"frequency_hz", "damping_ratio", "damping_ratio_raw"}) {
+        EXPECT_NEAR(b[key].get<double>() / a[key].get<double>(), 1, 1e-6) << kind << key;
+      }
+    }
+    EXPECT_NEAR(document["modes"][0]["damping_ratio"].get<double>(), 0.01, 1e-5) << kind;
+    EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), IsEmpty());
+  }
+  EXPECT_EQ(run_percuss({"analyze", file("stated.csv"), "--exponential", "0.01"}).code, 0) << "as the file states";
+  const auto contradicted = run_percuss({"analyze", file("stated.csv"), "--exponential", "0.1"});
+  EXPECT_EQ(contradicted.code, 3);
+  EXPECT_THAT(contradicted.err, AllOf(HasSubstr("contradicts the FRFs"), HasSubstr("(--exponential)")));
+}
+
+TEST_F(FrfInput, TakesTheAveragesThatTheUserStates) {
+  const std::string text = test::bytes_of(file("accelerance.csv"));
+  ASSERT_THAT(lines_of(text).at(0), HasSubstr("averages "));
+  // Neither the comment with the averages nor the standard deviations: columns 4 and 8 of 9.
+  std::string bare = "# (m/s^2)/N\n";
+  for (const std::string& line : lines_of(text.substr(text.find('\n') + 1))) {
+    std::string out, cell;
+    std::istringstream cells(line);
+    for (int c = 0; std::getline(cells, cell, ','); ++c) {
+      if (c != 3 && c != 7) out += (c == 0 ? "" : ",") + cell;
+    }
+    bare += out + "\n";
+  }
+  test::write_bytes(file("no-averages.csv"), bare);
+  const std::vector<std::string> words{"analyze", file("no-averages.csv"), "--angle", "0,90"};
+  const auto unstated = run_percuss(words);
+  ASSERT_EQ(unstated.code, 0) << unstated.err;
+  EXPECT_THAT(unstated.out, AllOf(HasSubstr("averages: not stated"), HasSubstr("(--averages)")));
+  std::vector<std::string> with = words;
+  with.insert(with.end(), {"--averages", std::to_string(kHits)});
+  const auto stated = run_percuss(with);
+  ASSERT_EQ(stated.code, 0) << stated.err;
+  EXPECT_THAT(stated.out,
+              AllOf(HasSubstr("averages: " + std::to_string(kHits)), testing::Not(HasSubstr("--averages"))));
+  // The file of percuss holds the same standard deviations.
+  const json own = analysed({file("accelerance.csv")});
+  with.emplace_back("--json");
+  const json document = test::parse_json(run_percuss(with).out);
+  for (std::size_t m = 0; m < 2; ++m) {
+    for (const char* key : {"frequency_std_hz", "damping_ratio_std"})
+      EXPECT_NEAR(document["modes"][m][key].get<double>() / own["modes"][m][key].get<double>(), 1, 1e-3) << key;
+  }
+}
+
 TEST_F(FrfInput, TakesFilesAsPointsAndSignsFromASetup) {
   test::write_bytes(file("setup.json"), R"([{"name": "1", "direction": "-x"}])");
   test::write_bytes(file("again.csv"), test::bytes_of(file("accelerance.csv")));
@@ -170,11 +237,19 @@ TEST_F(FrfInput, IsConvertedByFrf) {
 TEST_F(FrfInput, RejectsOptionsThatDoNotApplyToTheInput) {
   const std::string frfs = file("accelerance.csv");
   const std::vector<std::pair<std::vector<std::string>, int>> cases{
-      {{frfs, "--fs", "100"}, 3},          {{frfs, "--exponential", "0.1"}, 3},
-      {{frfs, "--estimator", "h2"}, 3},    {{frfs, "--reject-hit", "1"}, 3},
-      {{frfs, "--band", "60:2000"}, 3},    {{frfs, "--frf-kind", "impedance"}, 2},
-      {{frfs, file("bat.h5")}, 3},         {{frfs, file("mobility.h5"), "--files", "hits"}, 2},
-      {{frfs, "--accel-channel", "7"}, 3}, {{file("bat.h5"), "--frf-kind", "mobility"}, 2},
+      {{frfs, "--fs", "100"}, 3},
+      {{frfs, "--averages", "7"}, 3},
+      {{frfs, "--estimator", "h2"}, 3},
+      {{frfs, "--reject-hit", "1"}, 3},
+      {{frfs, "--band", "60:2000"}, 3},
+      {{frfs, "--frf-kind", "impedance"}, 2},
+      {{frfs, file("bat.h5")}, 3},
+      {{frfs, file("mobility.h5"), "--files", "hits"}, 2},
+      {{frfs, "--accel-channel", "7"}, 3},
+      {{file("bat.h5"), "--frf-kind", "mobility"}, 2},
+      {{frfs, "--averages", "0"}, 2},
+      {{frfs, "--averages", "2.5"}, 2},
+      {{file("bat.h5"), "--averages", "5"}, 2},
   };
   for (auto [arguments, code] : cases) {
     arguments.insert(arguments.begin(), "analyze");

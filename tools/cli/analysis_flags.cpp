@@ -90,7 +90,7 @@ void add_window_options(Command& command, AnalysisFlags& flags) {
   command
       .value("--exponential", flags.exponential_end,
              "Apply an exponential window that falls to this fraction at the end of each hit, such as 0.01; damping is "
-             "corrected exactly")
+             "corrected exactly. For FRFs: the window with which they were computed")
       .within(1e-12, 0.999999)
       .type("FRACTION");
 }

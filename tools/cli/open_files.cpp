@@ -58,7 +58,7 @@ bool several_with_sandboxed_format(const ReadFlags& flags) {
 std::shared_ptr<acquire::ForkServer> fork_server_for(const ReadFlags& flags, const acquire::ReadOptions& options) {
   const bool alike = options.force_scale.size() <= 1;
   if (flags.host != nullptr || !options.sandboxed || !alike || !several_with_sandboxed_format(flags)) return nullptr;
-  return acquire::measurement_fork_server({.read = options, .kind = flags.frf_kind});
+  return acquire::measurement_fork_server(frf_read_options(flags, options));
 }
 
 // The files to open, in their order.
@@ -262,7 +262,7 @@ ReadFlags with_found_files(const ReadFlags& given) { return found_in_order(given
 acquire::Record open_record_at(const ReadFlags& flags, const acquire::ReadOptions& options, std::size_t index) {
   const acquire::ReadOptions file_options = read_options_of_file(options, index, input_count(flags));
   if (!has_in_memory_inputs(flags)) return acquire::open_record(flags.paths[index], file_options);
-  auto given = flags.host->inputs[index]({.read = file_options, .kind = flags.frf_kind});
+  auto given = flags.host->inputs[index](frf_read_options(flags, file_options));
   if (auto* record = std::get_if<acquire::Record>(&given)) return std::move(*record);
   throw InputError("the file holds FRFs, not a record", std::get<acquire::FrfRecord>(given).source(),
                    "give force and acceleration");
@@ -271,8 +271,8 @@ acquire::Record open_record_at(const ReadFlags& flags, const acquire::ReadOption
 std::variant<acquire::Record, acquire::FrfRecord> open_measurement_at(const ReadFlags& flags,
                                                                       const acquire::ReadOptions& options,
                                                                       std::size_t index) {
-  const acquire::FrfReadOptions file_options{.read = read_options_of_file(options, index, input_count(flags)),
-                                             .kind = flags.frf_kind};
+  const acquire::FrfReadOptions file_options =
+      frf_read_options(flags, read_options_of_file(options, index, input_count(flags)));
   return has_in_memory_inputs(flags) ? flags.host->inputs[index](file_options)
                                      : acquire::open_measurement(flags.paths[index], file_options);
 }
@@ -286,7 +286,7 @@ Measurements open_measurements(const ReadFlags& given) {
   auto all = for_each_file<std::variant<acquire::Record, acquire::FrfRecord>>(
       found, fork_server != nullptr, [&](std::size_t i) {
         if (fork_server == nullptr) return open_measurement_at(flags, options, i);
-        return acquire::open_measurement_forked(fork_server, flags.paths[i], {.read = options, .kind = flags.frf_kind});
+        return acquire::open_measurement_forked(fork_server, flags.paths[i], frf_read_options(flags, options));
       });
   const std::optional<Message> left_out = left_out_note(found, all);
   Measurements out;
@@ -304,6 +304,12 @@ Measurements open_measurements(const ReadFlags& given) {
     throw OptionError({"frf_kind"},
                       "cannot be set for a record of force and acceleration: it is the kind of the FRFs in a file",
                       "leave it out");
+  }
+  if (flags.averages && !out.records.empty()) {
+    throw OptionError(
+        {"averages"},
+        "cannot be set for a record of force and acceleration: it is the number of averages of the FRFs in a file",
+        "leave it out");
   }
   return out;
 }

@@ -119,6 +119,11 @@ void add_reading_options(Command& command, ReadFlags& flags) {
           "--frf-kind", [&flags](const std::string& text) { flags.frf_kind = acquire::parse_frf_kind(text); },
           "Set the kind of the FRFs, in place of the file's")
       .one_of({"accelerance", "mobility", "receptance"});
+  command
+      .value("--averages", flags.averages,
+             "Set the number of averages of the FRFs, for files that do not state it: with a coherence, it gives their "
+             "standard deviation")
+      .within(1, acquire::kMaxAverages);
   command.heading(previous);
 }
 
@@ -207,8 +212,12 @@ acquire::ReadOptions read_options_of_file(const acquire::ReadOptions& all, std::
   return options;
 }
 
+acquire::FrfReadOptions frf_read_options(const ReadFlags& flags, const acquire::ReadOptions& options) {
+  return {.read = options, .kind = flags.frf_kind, .averages = flags.averages};
+}
+
 acquire::FrfReadOptions per_file_read_options(const ReadFlags& flags) {
-  return {.read = read_options_of_file(options_of(flags), 0, 1), .kind = flags.frf_kind};
+  return frf_read_options(flags, read_options_of_file(options_of(flags), 0, 1));
 }
 
 }  // namespace percuss::tools

@@ -18,6 +18,7 @@ struct ReadFlags {
   std::string setup_path;                                          // --setup CHANNELS.json
   acquire::FileGrouping files = acquire::FileGrouping::automatic;  // --files
   std::optional<acquire::FrfKind> frf_kind;                        // --frf-kind
+  std::optional<std::size_t> averages;                             // --averages
   bool trust_input = false;                                        // --trust-input
   // As typed, in the units of their names; resolved_read_options() converts them.
   std::vector<double> angle_deg;
@@ -42,6 +43,9 @@ acquire::ReadOptions resolved_read_options(const ReadFlags& flags);
 
 /// The options for one of several files, with its own force scale. Throws UsageError for a wrong number of scales.
 acquire::ReadOptions read_options_of_file(const acquire::ReadOptions& all, std::size_t index, std::size_t files);
+
+/// The options of one file with the statements about FRFs.
+acquire::FrfReadOptions frf_read_options(const ReadFlags& flags, const acquire::ReadOptions& options);
 
 /// Resolved options for files that are opened one by one. Throws UsageError for an option with a value per file.
 acquire::FrfReadOptions per_file_read_options(const ReadFlags& flags);

@@ -169,11 +169,15 @@ void add_deflect(CommandLine& line) {
   command.value("--lowest", deflection.lowest_Hz, "Omit frequencies below this; for --method frequency")
       .above_zero()
       .type("HZ");
-  command.flag("--free-body", deflection.free_body, "Let the structure move away from its rest position");
+  command.flag("--free-body", deflection.free_body,
+               "State that the structure may move away from its rest position: it hangs on rubber bands or strings, or "
+               "nothing holds it");
   command
       .value(
           "--effective-mass", flags->options.effective_mass_kg,
-          "Set the effective mass of the free body at the struck point; its rigid-body motion follows from the force")
+          "State that nothing pulls the structure back within the record, and its effective mass at the struck point: "
+          "1/(1/m + d^2/J), with the mass m, the moment of inertia J about the centre of mass, and the distance d of "
+          "the blow from it. Its rigid-body motion then follows from the force")
       .above_zero()
       .type("KG");
   command.value("--positions", flags->positions, "Set the positions of the points along the structure in m, in order")

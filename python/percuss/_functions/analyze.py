@@ -28,6 +28,7 @@ def analyze(
     angle: Numbers | None = None,
     position: Quantities | None = None,
     frf_kind: Literal["accelerance", "mobility", "receptance"] | None = None,
+    averages: int | None = None,
     setup: File | None = None,
     files: Literal["hits", "points", "tests"] | None = None,
     trust_input: bool = False,
@@ -119,7 +120,7 @@ def analyze(
         auto.
     exponential : float, optional
         Apply an exponential window that falls to this fraction at the end of each hit, such as
-        0.01; damping is corrected exactly.
+        0.01; damping is corrected exactly. For FRFs: the window with which they were computed.
     delay : str, float or list of float, optional
         Remove the delay of each accelerometer against the force. auto: estimate it from the phases
         of the modes; off: only warn about it; or give it in seconds, one for all or one per
@@ -207,6 +208,9 @@ def analyze(
         Set the distance of each accelerometer from the end of the barrel.
     frf_kind : {'accelerance', 'mobility', 'receptance'}, optional
         Set the kind of the FRFs, in place of the file's.
+    averages : int, optional
+        Set the number of averages of the FRFs, for files that do not state it: with a coherence, it
+        gives their standard deviation.
     setup : path or dict, optional
         Read the channel set-up from this file (JSON; `percuss.example("info")` prints one).
     files : {'hits', 'points', 'tests'}, optional
@@ -251,12 +255,13 @@ def analyze(
         "force_unit": force_unit, "force_scale": force_scale, "accel_scale": accel_scale,
         "force_sensitivity": force_sensitivity, "accel_sensitivity": accel_sensitivity,
         "pressure_sensitivity": pressure_sensitivity, "angle": angle, "position": position,
-        "frf_kind": frf_kind, "setup": setup, "files": files, "trust_input": trust_input, "band": band,
-        "effort": effort, "estimator": estimator, "accept_hit": accept_hit, "reject_hit": reject_hit,
-        "modes": modes, "start": start, "trigger": trigger, "pretrigger": pretrigger, "length": length,
-        "from_": from_, "to": to, "force_window": force_window, "exponential": exponential, "delay": delay,
-        "overlay_db": overlay_db, "object": object, "threads": threads, "budget": budget, "title": title,
-        "customer": customer, "operator": operator, "specimen": specimen, "date": date, "note": note,
-        "logo": logo, "paper": paper, "only": only, "picture": picture, "compare": compare, "per_hit": per_hit,
-        "stabilisation": stabilisation, "bat_id": bat_id, "bat": bat, "trace": trace, "explain": explain,
+        "frf_kind": frf_kind, "averages": averages, "setup": setup, "files": files, "trust_input": trust_input,
+        "band": band, "effort": effort, "estimator": estimator, "accept_hit": accept_hit,
+        "reject_hit": reject_hit, "modes": modes, "start": start, "trigger": trigger, "pretrigger": pretrigger,
+        "length": length, "from_": from_, "to": to, "force_window": force_window, "exponential": exponential,
+        "delay": delay, "overlay_db": overlay_db, "object": object, "threads": threads, "budget": budget,
+        "title": title, "customer": customer, "operator": operator, "specimen": specimen, "date": date,
+        "note": note, "logo": logo, "paper": paper, "only": only, "picture": picture, "compare": compare,
+        "per_hit": per_hit, "stabilisation": stabilisation, "bat_id": bat_id, "bat": bat, "trace": trace,
+        "explain": explain,
     }))

@@ -26,6 +26,7 @@ def calibrate(
     angle: Numbers | None = None,
     position: Quantities | None = None,
     frf_kind: Literal["accelerance", "mobility", "receptance"] | None = None,
+    averages: int | None = None,
     setup: File | None = None,
     files: Literal["hits", "points", "tests"] | None = None,
     trust_input: bool = False,
@@ -90,6 +91,9 @@ def calibrate(
         Set the distance of each accelerometer from the end of the barrel.
     frf_kind : {'accelerance', 'mobility', 'receptance'}, optional
         Set the kind of the FRFs, in place of the file's.
+    averages : int, optional
+        Set the number of averages of the FRFs, for files that do not state it: with a coherence, it
+        gives their standard deviation.
     setup : path or dict, optional
         Read the channel set-up from this file (JSON; `percuss.example("info")` prints one).
     files : {'hits', 'points', 'tests'}, optional
@@ -116,6 +120,6 @@ def calibrate(
         "force_unit": force_unit, "force_scale": force_scale, "accel_scale": accel_scale,
         "force_sensitivity": force_sensitivity, "accel_sensitivity": accel_sensitivity,
         "pressure_sensitivity": pressure_sensitivity, "angle": angle, "position": position,
-        "frf_kind": frf_kind, "setup": setup, "files": files, "trust_input": trust_input, "mass": mass,
-        "trigger": trigger,
+        "frf_kind": frf_kind, "averages": averages, "setup": setup, "files": files, "trust_input": trust_input,
+        "mass": mass, "trigger": trigger,
     }))

@@ -94,6 +94,34 @@ FrfKind frf_kind_of(const StoredFrfs& stored, const FrfReadOptions& options, std
   return FrfKind::accelerance;
 }
 
+// Takes the number of averages that the user states. The coherence of a single average is 1.
+void apply_averages(const std::optional<std::size_t>& averages, const std::string& where, std::vector<StoredFrf>& frfs,
+                    std::vector<Message>& notes) {
+  if (!averages) return;
+  constexpr double kRoundedOne = 1 - 1e-5;  // of a program that computes in single precision
+  bool spread_known = false;
+  for (StoredFrf& frf : frfs) {
+    if (frf.averages != 0 && frf.averages != *averages) {
+      throw InputError(
+          fmt::format("a number of averages of {} contradicts the file, which states {}", *averages, frf.averages),
+          where, "leave it out", {"averages"});
+    }
+    const auto below_one = [](double coherence) { return coherence < kRoundedOne; };
+    if (*averages == 1 && std::any_of(frf.coherence.begin(), frf.coherence.end(), below_one)) {
+      throw InputError("1 average contradicts the coherence of the file, which is below 1", where,
+                       "state the number of hits or records behind each FRF", {"averages"});
+    }
+    frf.averages = *averages;
+    spread_known = spread_known || !frf.std.empty() || !frf.coherence.empty();
+  }
+  if (!spread_known) {
+    notes.emplace_back(
+        "the FRFs have neither a coherence nor a standard deviation: the stated number of averages does not change the "
+        "±",
+        std::vector<OptionId>{"averages"});
+  }
+}
+
 // [lines] the standard deviation of H1 from its coherence γ² over n averages, |H| √((1 − γ²)/(γ² (n − 1))): √2 times
 // the standard deviation of the magnitude (source [3]). Empty without a coherence, or without two averages.
 std::vector<double> std_from_coherence(const StoredFrf& frf) {
@@ -160,6 +188,7 @@ FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options) {
   refuse_inapplicable_options(options.read, where);
   apply_spacing(stored, options.read.df_Hz, where, record);
   record.kind = frf_kind_of(stored, options, record.notes);
+  apply_averages(options.averages, where, stored.frfs, record.notes);
   const auto channels = chosen_channels(options.read, record.accel.size(), where);
   const SignalOverrides force = force_overrides(options.read, force_setup(options.read));
   const double force_to_SI = force.sign * response_sign(force_setup(options.read)) * force_factor(force, stored, where);

@@ -32,10 +32,10 @@ struct StoredFrfs {
   void set_lines(FrequencyLines frequencies);
 };
 
-/// Applies spacing, unit, kind, channel choice, signs, scales, angles and positions: stored numbers become
+/// Applies spacing, unit, kind, averages, channel choice, signs, scales, angles and positions: stored numbers become
 /// accelerances. Where an FRF has a coherence and a number of averages but no standard deviation, it gets the one of H1
 /// that follows from both. A note with the code kReversedPhase says if the FRFs are probably for exp(−jωt).
-/// errors  InputError: options without a meaning for FRFs, a spacing that contradicts the frequencies,
+/// errors  InputError: options without a meaning for FRFs, a spacing or a number of averages that contradicts the file,
 /// channels that do not exist, implausibly large numbers.
 FrfRecord to_accelerances(StoredFrfs stored, const FrfReadOptions& options);
 

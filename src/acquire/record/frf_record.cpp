@@ -7,11 +7,13 @@
 #include "acquire/record/point_number.hpp"
 #include "core/error.hpp"
 #include "core/io/input_file.hpp"
+#include "core/units.hpp"
 
 namespace percuss::acquire {
 namespace {
 
 constexpr double kSameSpacing = 1e-6;  // relative, between files
+constexpr double kSameDecay = 5e-3;    // relative: files and users may round to two digits, such as 4.6 for 4.605
 
 std::string input_name_of(const FrfRecord& record) { return input_name(record.source()); }
 
@@ -52,6 +54,32 @@ FrfRecord join_frfs(std::vector<FrfRecord> records) {
   out.notes = joined_notes(notes);
   out.notes.insert(out.notes.end(), notes_of_all.begin(), notes_of_all.end());
   return out;
+}
+
+FrfRecord with_exponential_window(FrfRecord frfs, double decay_per_s) {
+  if (frfs.decay_per_s > 0) {
+    if (std::abs(decay_per_s / frfs.decay_per_s - 1) <= kSameDecay) return frfs;
+    throw InputError(
+        fmt::format("an exponential window that decays by {:.5g} 1/s contradicts the FRFs, which state {:.5g} 1/s",
+                    decay_per_s, frfs.decay_per_s),
+        input_name_of(frfs), "leave it out", {"exponential"});
+  }
+  frfs.decay_per_s = decay_per_s;
+  if (frfs.kind == FrfKind::accelerance) return frfs;
+  const std::size_t left_out = frfs.lines.first == 0 ? 1 : 0;
+  frfs.lines.first += left_out;
+  frfs.lines.count -= left_out;
+  for (PointFrf& one : frfs.frfs) {
+    one.frf = lines_within(one.frf, left_out, frfs.lines.count);
+    for (std::size_t k = 0; k < frfs.lines.count; ++k) {
+      const Complex undamped(0, kTwoPi * frfs.lines.freq_Hz(k));
+      const Complex ratio = (undamped + decay_per_s) / undamped;
+      const Complex by = frfs.kind == FrfKind::mobility ? ratio : ratio * ratio;
+      one.frf.value[k] *= by;
+      if (!one.frf.std.empty()) one.frf.std[k] *= std::abs(by);
+    }
+  }
+  return frfs;
 }
 
 }  // namespace percuss::acquire

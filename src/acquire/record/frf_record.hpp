@@ -41,11 +41,18 @@ struct FrfRecord {
 /// The content of a file.
 using Measurement = std::variant<Record, FrfRecord>;
 
-/// The user's statements about a file of FRFs, beyond ReadOptions. They override what the file states.
+/// The user's statements about a file of FRFs, beyond ReadOptions.
 struct FrfReadOptions {
   ReadOptions read;
-  std::optional<FrfKind> kind;
+  std::optional<FrfKind> kind{};          // overrides what the file states
+  std::optional<std::size_t> averages{};  // of every FRF, at least 1; must agree with what the file states
 };
+
+/// FRFs that another program computed with an exponential window which it does not state: they lie at s = jω + σ. The
+/// factors from a mobility or receptance to the accelerance change from powers of jω to powers of s. A line at 0 Hz,
+/// where jω is 0, is left out then. A window of the same decay that the FRFs state already changes nothing.
+/// errors  InputError: the FRFs state a window of another decay.
+FrfRecord with_exponential_window(FrfRecord frfs, double decay_per_s);
 
 /// Joins several files of FRFs to one test. The points of a file follow the points of the file before it.
 /// errors  InputError: no records; lines, channels or exponential windows differ; names the file.

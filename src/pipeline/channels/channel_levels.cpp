@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/math/statistics.hpp"
 
@@ -32,8 +33,9 @@ std::vector<ChannelPair> compare_channels(const std::vector<identify::Mode>& mod
   std::vector<ChannelPair> out;
   for (std::size_t c = 1; c < channels; ++c) {
     Residues all;
-    std::size_t shown = 0;
-    for (const identify::Mode& mode : modes) {
+    std::vector<std::size_t> shown;
+    for (std::size_t m = 0; m < modes.size(); ++m) {
+      const identify::Mode& mode = modes[m];
       const std::size_t before = all.ratio.size();
       for (const identify::Residue& a : mode.residues) {
         if (a.channel != 0 || !clear(a)) continue;
@@ -41,15 +43,15 @@ std::vector<ChannelPair> compare_channels(const std::vector<identify::Mode>& mod
           if (b.channel == c && b.point == a.point && clear(b)) all.add(a.value, b.value);
         }
       }
-      if (all.ratio.size() > before) ++shown;
+      if (all.ratio.size() > before) shown.push_back(m);
     }
-    if (shown < kMinCompared) continue;
+    if (shown.size() < kMinCompared) continue;
     // Equal ratios in all modes give ±1; ratios that differ in size give less.
     const double alike = all.cross / std::sqrt(all.first * all.second);
     const auto [least, most] = std::minmax_element(all.ratio.begin(), all.ratio.end());
     out.push_back({.first = 0,
                    .second = c,
-                   .modes = shown,
+                   .modes = std::move(shown),
                    .ratio = median(all.ratio),
                    .spread = *most / *least,
                    .correlation = alike});

@@ -12,10 +12,10 @@ namespace percuss::pipeline {
 /// Two channels, compared by the residues of the modes that both show clearly.
 struct ChannelPair {
   std::size_t first = 0, second = 0;
-  std::size_t modes = 0;
-  double ratio = 0;        // median magnitude of the second's residues over the first's
-  double spread = 1;       // largest over smallest of these magnitudes
-  double correlation = 0;  // of the residues, each pair normalised: 1 the same motion, −1 the opposite motion
+  std::vector<std::size_t> modes;  // indices of the modes
+  double ratio = 0;                // median magnitude of the second's residues over the first's
+  double spread = 1;               // largest over smallest of these magnitudes
+  double correlation = 0;          // of the residues, each pair normalised: 1 the same motion, −1 the opposite motion
 };
 
 /// The first channel with every other one. A channel with fewer than four modes in common is left out.

@@ -28,6 +28,7 @@ constexpr double kSameRatio = 1.1;         // of ChannelPair::spread: sensors at
 constexpr double kSameSize = 3;            // of ChannelPair::ratio: signals of one motion differ by gains alone
 constexpr double kOppositeMotion = -0.95;  // of ChannelPair::correlation
 constexpr double kOwnPlace_rad = std::numbers::pi / 6;  // sensors with a larger angle between them move differently
+constexpr double kOneAngle_rad = kDegree_rad;           // sensors at one angle around a tube
 
 std::string delay_text(double s, double std_s) {
   const double magnitude = std::abs(s);
@@ -149,7 +150,7 @@ std::vector<Warning> units(const acquire::Record& record, const ChannelFindings&
                      fmt::format("{} is {:.3g} times {} in the median of {} modes: is one of them in mm/s² or mV, or a "
                                  "sensitivity wrong by 1000? Residues, shapes and mode types are wrong then",
                                  sensor_name(record.accel, second ? pair.second : pair.first), factor,
-                                 sensor_name(record.accel, second ? pair.first : pair.second), pair.modes),
+                                 sensor_name(record.accel, second ? pair.first : pair.second), pair.modes.size()),
                      {"unit", "accel_scale"}},
                     "state the unit or the scale of each channel"));
   }
@@ -173,6 +174,15 @@ std::optional<double> angle_between(const acquire::Record& record, const Channel
   return std::abs(std::remainder(*first - *second, kTwoPi));
 }
 
+// Whether all modes that the sensors share are hoop modes, and the sensors are not at one angle. A hoop mode moves two
+// places around a tube alike or against each other. Its direction is not known, so its signs tell nothing of a sensor.
+bool share_hoop_modes_alone(const ChannelPair& pair, const std::optional<double>& angle_rad,
+                            const SensorDirections& sensors) {
+  const bool one_angle = !sensors.angles_assumed && angle_rad && *angle_rad < kOneAngle_rad;
+  return !one_angle && std::all_of(pair.modes.begin(), pair.modes.end(),
+                                   [&](std::size_t m) { return m < sensors.hoop.size() && sensors.hoop[m]; });
+}
+
 // Whether one motion explains both signals. Bending modes alone have one ratio, too: the tangent of the angle between
 // the blow and the first sensor. A sensor nearly across the blow is much weaker than the other.
 bool shows_same_motion(const ChannelPair& pair) {
@@ -187,12 +197,14 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
     const auto angle_rad = angle_between(record, pair);
     // Opposite motion is no fault of sensors that point in different directions.
     const bool one_direction = sensors.angles_assumed || angle_rad.value_or(0) < kOwnPlace_rad;
-    if (pair.correlation < kOppositeMotion && one_direction && !is_pair(pair, sensors.tube)) {
+    if (pair.correlation < kOppositeMotion && one_direction && !is_pair(pair, sensors.tube) &&
+        !share_hoop_modes_alone(pair, angle_rad, sensors)) {
       out.push_back(with_remedy(
           {"reversed",
            fmt::format("{} moves against {} in each of {} modes: reversing one of them would make all "
                        "modes agree. Shapes have the wrong sign there",
-                       sensor_name(record.accel, pair.second), sensor_name(record.accel, pair.first), pair.modes),
+                       sensor_name(record.accel, pair.second), sensor_name(record.accel, pair.first),
+                       pair.modes.size()),
            {"setup", "accel_scale"}},
           R"(check which way the sensors point, and state "sign": -1 for the reversed one in the set-up, or a )"
           "negative scale"));
@@ -203,7 +215,7 @@ std::vector<Warning> directions(const acquire::Record& record, const std::vector
                "{} and {} show the same motion in all {} modes, but their stated angles are {:.0f}° apart. So do "
                "bending modes alone, struck between the sensors. Otherwise an angle is wrong, or one signal "
                "was recorded twice, and bending and hoop are not distinguished",
-               sensor_name(record.accel, pair.first), sensor_name(record.accel, pair.second), pair.modes,
+               sensor_name(record.accel, pair.first), sensor_name(record.accel, pair.second), pair.modes.size(),
                *angle_rad * kRadian_deg),
            {"angle"}},
           "if the band holds hoop modes, too, state the angle of each sensor"));

@@ -17,6 +17,7 @@ std::vector<Warning> mass_loading_warnings(const std::vector<identify::Mode>& mo
 struct SensorDirections {
   bool angles_assumed = false;                 // the angles in the record are assumed, not stated
   std::optional<identify::SensorPair> tube{};  // two sensors of a tube, which tube_warnings() judges instead
+  std::vector<bool> hoop{};                    // [modes] hoop modes of a tube; empty: not known
 };
 
 /// Whether a channel shows modes.

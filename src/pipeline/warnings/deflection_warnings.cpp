@@ -37,30 +37,38 @@ std::vector<OptionId> options_against_unknown(const DeflectionResults& test) {
   return {"band", "effective_mass", "method"};
 }
 
+// The effective mass needs the force.
+bool mass_would_help(const DeflectionResults& test) { return test.has_force && !test.mass_known; }
+
 // Motion that the largest deflections stated do not show.
 void add_motion_left_out(const DeflectionResults& test, std::vector<Warning>& out) {
   const auto growing = std::count_if(test.deflections.begin(), test.deflections.end(), [](const auto& of) {
     return of.deflection->larger_later && !of.deflection->rigid_motion_contradicted;
   });
   if (growing > 0) {
+    const bool mass = mass_would_help(test);
     out.push_back(with_remedy(
         {"larger_later",
          fmt::format(
              "{} of {} deflections become larger after the value stated, but their ± grows faster: the value stated is "
              "the one that exceeds its ± most; it may not be the largest of the motion",
              growing, test.deflections.size()),
-         {"effective_mass"}},
-        "record with more pre-trigger; for a free structure, state its effective mass at the struck point"));
+         mass ? std::vector<OptionId>{"effective_mass"} : std::vector<OptionId>{}},
+        std::string("record with more pre-trigger") +
+            (mass ? "; if nothing pulls the structure back within the record, state its effective mass at the struck "
+                    "point"
+                  : "")));
   }
   const bool modes_alone = std::any_of(test.deflections.begin(), test.deflections.end(),
                                        [](const auto& of) { return of.deflection->rigid_motion_left_out; });
   if (modes_alone) {
     out.push_back(with_remedy({"modes_alone",
-                               "the modal deflections hold the vibration of the identified modes alone: the rigid-body "
-                               "motion of a free structure is left out",
-                               {"effective_mass", "method"}},
-                              "if the structure is free for the whole record, state its effective mass at the struck "
-                              "point; if a suspension pulls it back within the record, choose the method drift-free"));
+                               "the modal deflections hold the vibration of the identified modes alone. The motion of "
+                               "the structure as a whole is left out: how it moves away, or swings on its suspension",
+                               {"method", "effective_mass"}},
+                              "do nothing if the vibration alone is wanted. For the whole motion: choose the method "
+                              "drift-free if the structure hangs on bands or strings; state its effective mass at the "
+                              "struck point if nothing pulls it back within the record"));
   }
 }
 
@@ -72,14 +80,15 @@ void add_not_free(const DeflectionResults& test, std::vector<Warning>& out) {
   out.push_back(with_remedy(
       {"not_free",
        fmt::format(
-           "{} of {} deflections do not move as a free body of the stated mass: the integral of the acceleration "
-           "contradicts it. Each ± includes the difference, which grows with time; the value stated is from "
-           "before, and larger ones may follow. Possible causes: a suspension that pulls the structure back, a "
-           "wrong mass, a sensor that does not lie along the blow, an accelerometer whose zero shifts or that "
-           "has a high-pass",
+           "{} of {} deflections do not move as a free body of the stated mass: the acceleration, integrated twice, "
+           "shows another motion. Each ± includes the difference, which grows with time; the value stated comes "
+           "before it, and larger ones may follow. Possible causes: a suspension that pulls the structure back, "
+           "a wrong mass, a sensor that does not lie along the blow, an accelerometer whose zero shifts or that has a "
+           "high-pass",
            count, test.deflections.size()),
        {"method", "effective_mass"}},
-      "choose the method drift-free, or check the mass"));
+      "if the structure hangs on bands or strings, choose the method drift-free and leave the mass out; otherwise "
+      "check the mass and the sensor"));
 }
 
 // Hits before which the structure was not at rest. The modal method gives the deflection of this blow alone. The other
@@ -216,18 +225,22 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
          "after the rigid-body motion of the stated effective mass is subtracted, the structure does not return to its "
          "rest position, or the record is too short to show that it does: the mass has no effect, late deflections "
          "drift, and their ± includes the drift",
-         {"effective_mass"}},
-        "check the effective mass, or record with more pre-trigger"));
+         {"effective_mass", "free_body"}},
+        "if the structure hangs on bands or strings, which pull it back, leave the mass out and say that the structure "
+        "may move away; otherwise check the mass, or record with more pre-trigger"));
   } else if (drifts && !test.free_body) {
     out.push_back(with_remedy(
         {"drift",
          "the structure does not return to its rest position, or the record is too short to show that it "
          "does: late deflections drift, and their ± includes the drift",
-         test.has_force ? std::vector<OptionId>{"method", "free_body", "effective_mass"}
-                        : std::vector<OptionId>{"free_body", "effective_mass"}},
-        test.has_force ? "for a held structure, choose the method modal if the band holds the lowest modes; for a free "
-                         "one, say that it is free and state its effective mass at the struck point"
-                       : "for a free structure, say that it is free and state its effective mass at the struck point"));
+         test.has_force ? std::vector<OptionId>{"free_body", "effective_mass", "method"}
+                        : std::vector<OptionId>{"free_body"}},
+        test.has_force
+            ? "if the structure hangs on bands or strings, nothing is wrong: say that it may move away. If nothing "
+              "pulls it back within the record, state its effective mass at the struck point. If it is held, choose "
+              "the method modal, if the band holds the lowest modes"
+            : "if the structure hangs on bands or strings, or flies away, nothing is wrong: say that it may move "
+              "away"));
   }
   return out;
 }

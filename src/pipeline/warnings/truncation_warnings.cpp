@@ -103,17 +103,19 @@ std::vector<Warning> frf_truncation_warnings(const std::vector<identify::Mode>& 
                                "fit allows for the missing decay",
                                *before_blow_s)}};
   }
-  return {with_remedy(
-      {"truncated_decay",
-       spacing +
-           "The FRFs show no time before the blow. Without it, or the force, the fit cannot allow for the missing "
-           "decay: residues may be off by as much. The damping may be too "
-           "high by as much where the records begin before the blow, whatever its ±, and by more if the recorder "
-           "applied an exponential window",
-       {},
-       "",
-       acquire::Severity::warn},
-      "analyse the records, or measure FRFs over a longer time")};
+  std::string message =
+      spacing +
+      "The FRFs show no time before the blow. Without it, or the force, the fit cannot allow for the missing decay: "
+      "residues may be off by as much. The damping may be too high by as much where the records begin before the blow, "
+      "whatever its ±";
+  std::string remedy = "analyse the records, or measure FRFs over a longer time";
+  std::vector<OptionId> options;
+  if (window_decay_per_s == 0) {
+    message += ", and by more if the recorder applied an exponential window";
+    remedy += "; state an exponential window of the recorder";
+    options.emplace_back("exponential");
+  }
+  return {with_remedy({"truncated_decay", message, options, "", acquire::Severity::warn}, remedy)};
 }
 
 }  // namespace percuss::pipeline

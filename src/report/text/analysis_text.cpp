@@ -36,6 +36,14 @@ std::string modes_text(const pipeline::Analysis& analysis, bool classes, std::si
   return analysis.modes().empty() ? no_modes_text(analysis) : modes_table(analysis, classes).text(width);
 }
 
+// FRFs with a coherence, from which standard deviations follow once the number of averages is known.
+bool averages_would_help(const pipeline::Analysis& analysis) {
+  const auto& frfs = analysis.frfs();
+  return analysis.given_frfs() != nullptr && std::any_of(frfs.begin(), frfs.end(), [](const auto& one) {
+           return one.frf.averages == 0 && one.frf.std.empty() && !one.frf.coherence.empty();
+         });
+}
+
 std::string frf_text(const pipeline::Analysis& analysis) {
   const auto [least, most] = std::minmax_element(
       analysis.frfs().begin(), analysis.frfs().end(),
@@ -91,6 +99,13 @@ Message judged_by_force() {
       {"only"}};
 }
 
+Message state_averages() {
+  return {
+      "the file does not state the number of averages, so its coherence does not count in the ±; state the number of "
+      "hits or records that each FRF is averaged over",
+      {"averages"}};
+}
+
 std::string spaced(const std::string& text) { return text.empty() ? text : text + '\n'; }
 
 }  // namespace
@@ -119,6 +134,7 @@ std::string analysis_text(const pipeline::Analysis& analysis, const TextOptions&
     if (frfs && modes) analysis.compute_modes_and_frfs();
     if (wants(ReportSection::frf)) text += frf_text(analysis);
     if (wants(ReportSection::coherence)) text += coherence_text(analysis);
+    if (frfs && averages_would_help(analysis)) text += written(state_averages(), options) + '\n';
     if (frfs) text += '\n';
     if (options.sketch && (wants(ReportSection::frf) || wants(ReportSection::modes)))
       text += spaced(frf_terminal_plot(analysis, options.width));

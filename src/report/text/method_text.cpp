@@ -118,6 +118,13 @@ void add_frfs(const pipeline::Analysis& analysis, Sentences& out) {
     out.push_back(fmt::format("{} of {} were given ({}), not averaged from hits here; {}.",
                               counted(given->frfs.size(), "FRF"), counted(lines.count, "line"), given->format,
                               estimator));
+    if (given->decay_per_s > 0) {
+      out.push_back(
+          fmt::format("They were computed with an exponential window that decays by {} 1/s, as {}; the damping that it "
+                      "adds was taken out exactly (3.5).",
+                      significant(given->decay_per_s, 4),
+                      analysis.options().exponential_end > 0 ? "the user stated" : "their file states"));
+    }
     return;
   }
   const frf::Estimator estimator = analysis.options().estimator;

@@ -37,18 +37,20 @@ bool differs_between_points(const FirstMotion& motion) { return motion.with > 0 
 
 std::string responses_text(const pipeline::Analysis& analysis, std::size_t width) {
   std::string text;
+  bool any_direction = false;
   for (std::size_t c = 0; c < analysis.record().accel.size(); ++c) {
     const FirstMotion motion = first_motion(analysis, c);
     if (differs_between_points(motion)) continue;
     const std::string name = (text.empty() ? "" : "; ") + one_line(analysis.record().accel[c].name, 40);
     if (!motion.delay_s.empty()) {
+      any_direction = true;
       text += fmt::format("{} first moves {} the push, {:.2f} ms after the force's onset", name,
                           motion.with > 0 ? "with" : "against", median(motion.delay_s) * 1e3);
     } else if (motion.undecided > 0) {
       text += fmt::format("{}: the hits show no clear direction of its first motion", name);
     }
   }
-  return text.empty() ? text : wrapped(text, width, 0) + "\n";
+  return any_direction ? wrapped(text, width, 0) + "\n" : "";
 }
 
 }  // namespace percuss::report

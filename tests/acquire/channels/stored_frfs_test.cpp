@@ -58,6 +58,43 @@ TEST(StoredFrfs, TakesTheStandardDeviationFromCoherenceAndAverages) {
   EXPECT_EQ(to_accelerances(frfs, {}).frfs[0].frf.std, (std::vector<double>{1, 2, 3}));  // stated ones stay
 }
 
+TEST(StoredFrfs, TakesAStatedNumberOfAverages) {
+  StoredFrfs frfs = stored();
+  for (StoredFrf& frf : frfs.frfs) frf.coherence = {0.5, 0.8, 1};
+  const FrfRecord record = to_accelerances(frfs, {.averages = 5});
+  for (const PointFrf& one : record.frfs) {
+    EXPECT_EQ(one.frf.averages, 5U);
+    ASSERT_THAT(one.frf.std, SizeIs(3));
+    EXPECT_NEAR(one.frf.std[0], std::sqrt(1.0 / 4), kRounding);
+    EXPECT_NEAR(one.frf.std[1], std::sqrt(0.25 / 4), kRounding);
+  }
+  EXPECT_THAT(record.notes, IsEmpty());
+  frfs.frfs[0].averages = 5;
+  EXPECT_EQ(to_accelerances(frfs, {.averages = 5}).frfs[0].frf.averages, 5U);
+}
+
+TEST(StoredFrfs, RefusesAveragesThatContradictTheFile) {
+  StoredFrfs frfs = stored();
+  frfs.frfs[1].averages = 4;
+  const auto read = [&](std::size_t averages) { to_accelerances(frfs, {.averages = averages}); };
+  EXPECT_THAT(test::input_error_of([&] { read(5); }), HasSubstr("of 5 contradicts the file, which states 4"));
+  EXPECT_THAT(test::options_of_error([&] { read(5); }), testing::ElementsAre("averages"));
+  EXPECT_NO_THROW(read(4));
+  frfs.frfs[1].averages = 0;
+  frfs.frfs[0].coherence = {1, 1, 1};
+  EXPECT_NO_THROW(read(1));
+  frfs.frfs[0].coherence = {1, 0.9, 1};
+  EXPECT_THAT(test::input_error_of([&] { read(1); }), HasSubstr("1 average contradicts the coherence"));
+}
+
+TEST(StoredFrfs, NotesThatAveragesTellNothingWithoutACoherence) {
+  StoredFrfs frfs = stored();
+  EXPECT_THAT(test::texts(to_accelerances(frfs, {.averages = 3}).notes),
+              testing::ElementsAre(HasSubstr("does not change the ±")));
+  frfs.frfs[0].std = {1, 1, 1};
+  EXPECT_THAT(to_accelerances(frfs, {.averages = 3}).notes, IsEmpty());
+}
+
 // The frequencies 0.333, 0.667 and 1.0 permit a spacing from 0.33325 to 0.3335 Hz.
 TEST(StoredFrfs, TakesAStatedSpacingWithinTheRoundingOfTheFrequencies) {
   StoredFrfs frfs = stored();

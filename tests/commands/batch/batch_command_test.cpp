@@ -263,7 +263,7 @@ TEST_F(BatchCommand, DetectsAChangedRecord) {
   EXPECT_THAT(merged("s.jsonl"), HasSubstr("bytes; it had"));
   fs::remove(folder_.file("x.csv"));
   ASSERT_EQ(run({"--force"}).code, 6);
-  EXPECT_THAT(merged("t.jsonl"), HasSubstr("no such file (x.csv); check the path"));
+  EXPECT_THAT(merged("t.jsonl"), HasSubstr("the file is missing; it existed when the batch was planned (x.csv)"));
 }
 
 TEST_F(BatchCommand, FindsRecordsRelativeToItsManifest) {

@@ -163,6 +163,54 @@ TEST(ChannelFindings, NameAReversedSensorOfATube) {
   EXPECT_THAT(warnings_of(Analysis(synth::synthesise(spec).record, kBand)), Contains(StartsWith("reversed: ")));
 }
 
+// Hoop modes in one direction, and bending in the plane of the blow if wanted. Of three sensors, the third has no
+// angle.
+synth::SynthSpec bat_with_three_sensors(bool bending, double third_rad) {
+  std::vector<synth::SynthMode> modes;
+  for (const auto& [freq_Hz, order] : {std::pair{171.0, 1}, std::pair{580.0, 2}}) {
+    if (!bending) break;
+    modes.push_back({.freq_Hz = freq_Hz, .damping_ratio = kDamping, .order = order, .amplitude_per_sqrt_kg = 1.7});
+  }
+  int hoop_order = 0;
+  for (const double freq_Hz : {1190.0, 1440.0, 1690.0, 1940.0, 2190.0}) {
+    modes.push_back({.freq_Hz = freq_Hz,
+                     .damping_ratio = 0.003,
+                     .type = synth::SynthModeType::hoop,
+                     .order = ++hoop_order,
+                     .angle_rad = 12 * kDegree_rad,
+                     .amplitude_per_sqrt_kg = 2.7});
+  }
+  synth::SynthSpec spec = test::bat_spec(modes, 1);
+  spec.points = {{.angle_rad = 0}};
+  spec.sensors = {{.angle_rad = 0}, {.angle_rad = std::numbers::pi / 2}, {.angle_rad = third_rad}};
+  spec.noise = {.force = 1e-4, .accel = 1e-3};
+  return spec;
+}
+
+// The third sensor, across the blow, shows hoop modes alone. They move the places at 0° and 90° against each other.
+TEST(ChannelFindings, DoNotTakeHoopModesAtAnUnknownAngleForAReversedSensor) {
+  acquire::Record record = synth::synthesise(bat_with_three_sensors(true, std::numbers::pi / 2)).record;
+  record.accel[2].angle_rad.reset();
+  const Analysis analysis(record, kBand);
+  EXPECT_THAT(warnings_of(analysis), Not(Contains(StartsWith("reversed"))));
+  const auto& pairs = analysis.channel_findings().pairs;
+  const auto third = std::find_if(pairs.begin(), pairs.end(), [](const ChannelPair& pair) { return pair.second == 2; });
+  ASSERT_NE(third, pairs.end());
+  EXPECT_LT(third->correlation, -0.95);
+  EXPECT_EQ(third->modes, (std::vector<std::size_t>{2, 3, 4, 5, 6}));
+}
+
+// Bending and hoop modes agree, and so do hoop modes at one stated angle.
+TEST(ChannelFindings, NameTheReversedOneOfThreeSensors) {
+  for (const bool bending : {true, false}) {
+    synth::SynthSpec spec = bat_with_three_sensors(bending, 0);
+    spec.sensors[2].sign = -1;
+    acquire::Record record = synth::synthesise(spec).record;
+    if (bending) record.accel[2].angle_rad.reset();
+    EXPECT_THAT(warnings_of(Analysis(record, kBand)), Contains(StartsWith("reversed: "))) << bending;
+  }
+}
+
 TEST(ChannelFindings, NameUnitsThatDiffer) {
   synth::SynthSpec oblique = bat_in_line();
   for (std::size_t m = 0; m < 3; ++m) oblique.modes[m].angle_rad = 30 * kDegree_rad;

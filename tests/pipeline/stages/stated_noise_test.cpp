@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "acquire/channels/stored_frfs.hpp"
+#include "core/math/fft.hpp"
 #include "core/units.hpp"
 #include "pipeline/analysis.hpp"
 
@@ -44,6 +46,8 @@ acquire::FrfRecord record_of(std::uint64_t seed, double relative, const std::vec
   return record;
 }
 
+constexpr std::size_t kHits = 6;
+
 // How the hits of an average differ: relative standard deviations.
 struct HitScatter {
   double gain = 0, freq = 0;
@@ -53,7 +57,6 @@ struct HitScatter {
 
 // The mean FRF of six hits with a white noise of 0.02 each, and its standard deviation from the scatter of the hits.
 acquire::FrfRecord average_of_hits(std::uint64_t seed, const HitScatter& scatter) {
-  constexpr std::size_t kHits = 6;
   constexpr double kNoise = 0.02, kSecond = 140.0 / 150;
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
@@ -73,10 +76,47 @@ acquire::FrfRecord average_of_hits(std::uint64_t seed, const HitScatter& scatter
     Complex sum;
     for (const std::vector<Complex>& hit : hits) sum += hit[k];
     mean.value[k] = sum / static_cast<double>(kHits);
-    double squares = 0;
-    for (const std::vector<Complex>& hit : hits) squares += std::norm(hit[k] - mean.value[k]);
+    double squares = 0, powers = 0;
+    for (const std::vector<Complex>& hit : hits) {
+      squares += std::norm(hit[k] - mean.value[k]);
+      powers += std::norm(hit[k]);
+    }
+    mean.coherence.push_back(std::norm(sum) / (static_cast<double>(kHits) * powers));  // of hits of one force
     mean.std[k] = std::sqrt(squares / static_cast<double>(kHits * (kHits - 1)));
   }
+  return record;
+}
+
+// The average as a file states it that holds a coherence, but no standard deviation; read with the number of hits.
+acquire::FrfRecord read_average(std::uint64_t seed, const HitScatter& scatter, std::optional<std::size_t> averages) {
+  acquire::StoredFrfs stored;
+  stored.record = average_of_hits(seed, scatter);
+  stored.kind = acquire::FrfKind::accelerance;
+  for (acquire::PointFrf& one : stored.record.frfs)
+    stored.frfs.push_back({.value = std::move(one.frf.value), .coherence = std::move(one.frf.coherence)});
+  stored.record.frfs.clear();
+  return acquire::to_accelerances(std::move(stored), {.averages = averages});
+}
+
+// FRFs whose force and response carried an exponential window that fell to `end` over the record of 2 s. The window
+// also weighs the white noise of the response, whose spectral lines are then no longer independent.
+acquire::FrfRecord windowed_record(std::uint64_t seed, double end) {
+  constexpr double kNoise = 0.02;
+  constexpr std::size_t kSamples = 1600;  // at 800 Hz
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  acquire::FrfRecord record = record_of(seed, 0, {kNoise});
+  const double decay_per_s = -std::log(end) * record.lines.df_Hz(), omega = kTwoPi * kPole.freq_Hz;
+  std::vector<double> noise(kSamples);
+  for (std::size_t n = 0; n < kSamples; ++n)
+    noise[n] = kNoise / std::sqrt(kSamples) * std::pow(end, static_cast<double>(n) / kSamples) * normal(random);
+  const std::vector<Complex> noise_lines = real_dft(noise);
+  for (std::size_t k = 0; k < record.lines.count; ++k) {
+    const Complex s(decay_per_s, kTwoPi * record.lines.freq_Hz(k));
+    record.frfs.front().frf.value[k] =
+        s * s / (s * s + 2 * kPole.damping_ratio * omega * s + omega * omega) + noise_lines.at(record.lines.first + k);
+  }
+  record.frfs.front().frf.std.clear();
   return record;
 }
 
@@ -85,10 +125,11 @@ struct Rms {
 };
 
 template <typename RecordOfSeed>
-Rms rms_over_seeds(const RecordOfSeed& record_of_seed, std::size_t modes = 1) {
+Rms rms_over_seeds(const RecordOfSeed& record_of_seed, std::size_t modes = 1, double exponential_end = 0) {
   Rms rms;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const Analysis analysis(record_of_seed(seed), {.band_Hz = std::pair(100.0, 200.0)});
+    const Analysis analysis(record_of_seed(seed),
+                            {.band_Hz = std::pair(100.0, 200.0), .exponential_end = exponential_end});
     EXPECT_EQ(analysis.modes().size(), modes) << seed;
     if (analysis.modes().empty()) continue;
     const identify::Mode& mode = analysis.modes().back();  // at kPole
@@ -153,6 +194,24 @@ TEST(StatedNoise, CountsTheGainOfTheHitsForTheResidueAlone) {
   expect_true(rms);
   EXPECT_GT(rms.residue, kMinRms * kStudentRms);
   EXPECT_LT(rms.residue, kMaxRms * kStudentRms);
+}
+
+// A gain scatters the residue by 0.02. The lines of the average do not show it; its coherence does.
+TEST(StatedNoise, TakesTheScatterOfTheHitsFromCoherenceAndStatedAverages) {
+  const HitScatter scatter{.gain = 0.05};
+  const Rms stated = rms_over_seeds([&](std::uint64_t seed) { return read_average(seed, scatter, kHits); });
+  expect_true(stated);
+  EXPECT_GT(stated.residue, kMinRms * kStudentRms);
+  EXPECT_LT(stated.residue, kMaxRms * kStudentRms);
+  const Rms unstated = rms_over_seeds([&](std::uint64_t seed) { return read_average(seed, scatter, {}); });
+  EXPECT_GT(unstated.residue, 3 * kMaxRms);
+}
+
+TEST(StatedNoise, GivesTrueDampingUnderAStatedExponentialWindow) {
+  constexpr double kEnd = 0.05;
+  const auto record = [](std::uint64_t seed) { return windowed_record(seed, kEnd); };
+  expect_true(rms_over_seeds(record, 1, kEnd));
+  EXPECT_GT(rms_over_seeds(record).damping, 10) << "the window's damping";
 }
 
 // As by the place and direction of the hits.

@@ -27,6 +27,18 @@ TEST(TruncationWarnings, SayThatTheDampingOfGivenFrfsMayBeTooHigh) {
   EXPECT_THAT(warnings.front().message, HasSubstr("damping may be too high by as much where the records begin"));
 }
 
+// A window that is stated already is no cause of the damping.
+TEST(TruncationWarnings, AskForTheWindowOfGivenFrfsUnlessItIsStated) {
+  for (const double decay_per_s : {0.0, 0.5}) {
+    const std::vector<Warning> warnings =
+        frf_truncation_warnings({{.pole = kPole}}, lines(), decay_per_s, std::nullopt);
+    ASSERT_EQ(warnings.size(), 1U);
+    const bool asks = decay_per_s == 0;
+    EXPECT_EQ(warnings.front().options.empty(), !asks);
+    EXPECT_EQ(testing::Value(warnings.front().message, HasSubstr("exponential window")), asks);
+  }
+}
+
 // The records last for 1 s. The ringing after the blow lasts for 0.9 s: exp(−0.2π · 0.9) = 56.8 % remain.
 TEST(TruncationWarnings, SayWhenTheBlowOfGivenFrfsCame) {
   const std::vector<Warning> warnings = frf_truncation_warnings({{.pole = kPole}}, lines(), 0, 0.1);

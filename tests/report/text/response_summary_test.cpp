@@ -44,6 +44,19 @@ TEST(ResponsesText, StatesThatHitsDisagree) {
                                         HasSubstr("accel 2: the hits show no clear direction of its first motion")));
 }
 
+// Without another sensor that has a direction, the line would tell nothing.
+TEST(ResponsesText, IsEmptyWhereNoSensorHasADirection) {
+  acquire::Record one = record();
+  one.accel.resize(1);
+  one.contiguous.clear();
+  one.read_accel_mps2 = [inner = one.read_accel_mps2](std::size_t row, std::size_t channel, std::size_t first,
+                                                      std::span<double> out) {
+    inner(row, channel, first, out);
+    if (row == 1) std::transform(out.begin(), out.end(), out.begin(), std::negate<>());
+  };
+  EXPECT_EQ(summary_of(one), "");
+}
+
 // The points of a survey move in either direction, which tells nothing of a sensor.
 TEST(ResponsesText, OmitsAChannelWhosePointsDiffer) {
   acquire::Record points = record();

@@ -216,8 +216,9 @@ void add_batch_run(CommandLine& line) {
       "Slurm (SLURM_ARRAY_TASK_ID), Kubernetes (JOB_COMPLETION_INDEX) or GNU parallel (PARALLEL_SEQ minus one) sets "
       "the shard; without a scheduler all shards run. Finished records are stored at once: a run that was killed "
       "continues where it stopped. A record that cannot be analysed becomes a row with the reason, and the exit code "
-      "is 6. A fault of the machine (no process, memory or descriptor, a full disk) is no result: the record is tried "
-      "again, then left open for the next run, and the exit code is 6.");
+      "is 6. If its file was missing, or not as planned, and is back, the next run analyses it. A fault of the machine "
+      "(no process, memory or descriptor, a full disk) is no result: the record is tried again, then left open for the "
+      "next run, and the exit code is 6.");
   command.example("percuss batch plan bat.h5 -o manifest.jsonl; percuss batch run --manifest manifest.jsonl -o results",
                   "Analyse all records on all processors of this machine");
   command.example(
