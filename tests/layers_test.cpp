@@ -217,7 +217,7 @@ std::vector<std::string> third_parties(const Source& source) {
   std::vector<std::string> out;
   for (const auto& [name, quoted] : source.includes) {
     const bool standard = name.find_first_of("./") == std::string::npos;
-    const bool names_only = name == "nlohmann/json_fwd.hpp";  // declares its types without their contents
+    const bool names_only = name == "nlohmann/json_fwd.hpp";  // only forward-declares its types
     if (!quoted && !standard && !names_only && !name.starts_with("Eigen/") && !name.starts_with("percuss/"))
       out.push_back(source.path + " includes " + name);
   }

@@ -133,8 +133,8 @@ std::string time_after_date(std::string_view text) {
   return time;
 }
 
-// The first date of a text and the time of day after it, both unchanged: no order of day and month is assumed. Empty
-// without a date, as for the names of columns and for a time of day alone.
+// The first date of a text: the date unchanged, because no order of day and month is assumed; then a blank and the time
+// of day to whole seconds. Empty without a date, as for the names of columns and for a time of day alone.
 std::string calendar_date(std::string_view text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (!is_digit(text[at]) || (at > 0 && std::isalnum(static_cast<unsigned char>(text[at - 1])) != 0)) continue;
@@ -145,7 +145,8 @@ std::string calendar_date(std::string_view text) {
   return "";
 }
 
-// "Pruefdatum" for the German umlauts and sharp s in UTF-8 and Latin-1: titles are ASCII.
+// Replaces German umlauts and sharp s (UTF-8 or Latin-1) by ASCII letters, because the words searched for are ASCII:
+// "Prüfdatum" becomes "Pruefdatum".
 std::string without_umlauts(std::string_view text) {
   constexpr std::array<std::array<std::string_view, 3>, 5> kLetters{{{"\xC3\xA4", "\xE4", "ae"},
                                                                      {"\xC3\xB6", "\xF6", "oe"},

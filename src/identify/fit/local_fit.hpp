@@ -35,9 +35,8 @@ struct LocalFitOptions {
 LocalFit fit_locally(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data,
                      const Eigen::VectorXd& noise_scale, std::vector<Pole> start, const LocalFitOptions& options);
 
-/// A first pole by a linear fit over a window: (jω − s)·H = a + b·jω, with one s for all FRFs, and a and b per FRF.
-/// freq_Hz is 0 where the window holds no decaying oscillation.
-/// theory (4.2)
+/// A start value of a pole, by a linear fit over a window: (jω − s)·H = a + b·jω, with one s for all FRFs, and a and b
+/// per FRF. freq_Hz is 0 where the window holds no decaying oscillation. theory (4.2)
 Pole pole_of_window(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data, std::size_t first);
 
 }  // namespace percuss::identify

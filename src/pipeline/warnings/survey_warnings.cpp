@@ -23,6 +23,7 @@ constexpr double kMaxNodeSensitivity = 0.1;  // sensitivity below which a sensor
 constexpr double kMaxAsymmetry = 0.1;        // of the frequency: how far asymmetry splits a pair of modes
 constexpr double kMaxDifference = 0.05;      // of reciprocal residues, relative, and
 constexpr double kMaxDeviations = 4;         // … in standard deviations
+// FRAC below which an FRF is poorly explained; level from which an FRF counts, relative to the strongest FRF.
 constexpr double kPoorFrac = 0.99, kStrong_dB = -20;
 constexpr std::size_t kMaxNamed = 8;
 

@@ -120,7 +120,8 @@ TEST_F(SoundRecord, SaysThatFullScaleIsTakenAsOneVolt) {
   EXPECT_THAT(test::texts(record.notes), Contains(HasSubstr("full scale is taken as 1 V")));
 }
 
-// A set-up states sensitivities, and the scales of the options contain the full scale.
+// The scales of the options include the full scale, so they count before the sensitivities of a set-up, and no note on
+// the full scale is given.
 TEST_F(SoundRecord, TakesScalesBeforeTheSensitivitiesOfASetup) {
   ReadOptions options = kHammerOnOne;
   options.setup.resize(2);
