@@ -94,7 +94,7 @@ void Journal::load(const ShardLabel& label, bool anew) {
 
 void Journal::take(std::string_view line, std::uint64_t offset) {
   const auto done = completed_line(line);
-  if (!done || done->index < range_.first || done->index >= range_.last || has(done->index)) return;
+  if (!done || done->index < range_.first || done->index >= range_.end || has(done->index)) return;
   entries_[done->index - range_.first] = {
       .offset = offset + static_cast<std::uint64_t>(done->rows.data() - line.data()), .bytes = done->rows.size()};
   ++finished_;

@@ -29,7 +29,7 @@ FinishedShard write_finished_shard(const ShardJob& job, const ShardLabel& label,
   const auto refused = AtomicFile::Links::refused;
   Sha256File file(part_path(job.folder, job.shard, "jsonl"), true, refused);
   file.add(label_line(label) + "\n");
-  for (std::size_t i = range.first; i < range.last; ++i) file.add(journal.rows(i));
+  for (std::size_t i = range.first; i < range.end; ++i) file.add(journal.rows(i));
   file.commit();
   part.bytes = file.bytes();
   part.sha256 = file.sha256();
@@ -104,7 +104,7 @@ ShardOutcome run_shard(const ShardJob& job) {
     return {.part = *part};
   }
   std::vector<std::size_t> left;
-  for (std::size_t i = range.first; i < range.last; ++i) {
+  for (std::size_t i = range.first; i < range.end; ++i) {
     if (!journal.has(i)) left.push_back(i);
   }
   ProblemsOfRun problems = analyse(job, journal, left);

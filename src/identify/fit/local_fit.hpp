@@ -24,7 +24,8 @@ struct LocalFitOptions {
   std::size_t residual_terms = 3;    // complex coefficients of the polynomial that stands for the other modes
   int max_steps = 30;
   double tolerance = 1e-7;  // of a step, see normalised_step
-  double change = 0.01;     // expected change of the poles, in standard deviations; either tolerance ends the fit
+  // Expected change of the poles, in standard deviations. Either tolerance ends the fit.
+  double change_tolerance = 0.01;
 };
 
 /// Least squares of all FRFs in a window by modes with complex residues and a polynomial. Poles are found by
