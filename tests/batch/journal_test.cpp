@@ -12,8 +12,6 @@
 
 namespace percuss::batch::journal_test {
 
-using testing::HasSubstr;
-
 class BatchJournal : public testing::Test {
  protected:
   Journal open(bool anew = false) { return {path_, label_, {.first = 10, .end = 20}, anew}; }

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 
 #include "pipeline/analysis.hpp"
 #include "support/modal_frfs.hpp"

@@ -1,5 +1,4 @@
-#include <iostream>
-#include <memory>
+#include <optional>
 
 #include "cli/option_error.hpp"
 #include "cli/output.hpp"

@@ -1,6 +1,5 @@
 #include "pipeline/stages/blow_time.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
