@@ -26,9 +26,7 @@ std::string renamed(const std::array<Names, count>& names, std::string_view id) 
   return std::string(found == names.end() ? id : found->second);
 }
 
-std::string keyword(std::string_view option) {
-  return std::string(option) + (option == "from" || option == "lambda" ? "_=" : "=");
-}
+std::string keyword(std::string_view option) { return std::string(option) + (option == "from" ? "_=" : "="); }
 
 std::string function_of(const std::string& command) {
   constexpr std::string_view kModel = "model.";

@@ -105,7 +105,7 @@ struct Source {
   std::vector<std::string> types;  // defined at namespace scope
 };
 
-std::string_view without_blanks(std::string_view text) {
+std::string_view without_leading_blanks(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   return text.substr(std::min(first, text.size()));
 }
@@ -113,11 +113,11 @@ std::string_view without_blanks(std::string_view text) {
 /// The rest of `text` after `word` and blanks; nothing when `text` does not start with `word`.
 std::optional<std::string_view> after(std::string_view word, std::string_view text) {
   if (!text.starts_with(word)) return {};
-  return without_blanks(text.substr(word.size()));
+  return without_leading_blanks(text.substr(word.size()));
 }
 
 std::optional<Include> include_in(std::string_view line) {
-  const auto directive = after("#", without_blanks(line));
+  const auto directive = after("#", without_leading_blanks(line));
   const auto name = directive ? after("include", *directive) : std::nullopt;
   if (!name || name->size() < 2) return {};
   return Include{.name = std::string(name->substr(1, name->find_first_of("\">", 1) - 1)),
@@ -217,7 +217,7 @@ std::vector<std::string> third_parties(const Source& source) {
   std::vector<std::string> out;
   for (const auto& [name, quoted] : source.includes) {
     const bool standard = name.find_first_of("./") == std::string::npos;
-    const bool names_only = name == "nlohmann/json_fwd.hpp";  // declares its types without their contents
+    const bool names_only = name == "nlohmann/json_fwd.hpp";  // only forward-declares its types
     if (!quoted && !standard && !names_only && !name.starts_with("Eigen/") && !name.starts_with("percuss/"))
       out.push_back(source.path + " includes " + name);
   }

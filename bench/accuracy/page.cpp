@@ -22,8 +22,8 @@ std::string picture(const TaskFigures& task) {
   return fmt::format("![{}: error against time](accuracy-{}.svg)\n", task.title, task.name);
 }
 
-// In how many of all cases a method is not Pareto-optimal: "17 of 21".
-std::string not_optimal(const TaskFigures& task, const std::string& method) {
+// How many of a method's rows, in all cases, are not Pareto-optimal: "17 of 21".
+std::string not_optimal(const TaskFigures& task, const std::string& method, const char* of = "of") {
   std::size_t all = 0, count = 0;
   for (const Sweep& sweep : task.sweeps) {
     for (const Case& one : sweep.cases) {
@@ -34,7 +34,7 @@ std::string not_optimal(const TaskFigures& task, const std::string& method) {
       }
     }
   }
-  return fmt::format("{} of {}", count, all);
+  return fmt::format("{} {} {}", count, of, all);
 }
 
 // The smallest and the largest error over the bound of a method in a sweep.
@@ -206,9 +206,9 @@ multiples of one bare transform of 65 536 values.
 shortens the step until the estimated error of the restitution and the error of the energy are at most 5e-10. The
 published `small-increment` keeps the force constant in each step and has first order. It is faster only for errors of a
 hundredth: its longest steps are Pareto-optimal, but not its shorter ones
-(not Pareto-optimal: {} cases). It stays for comparison with published figures.
+({} rows are not Pareto-optimal). It stays for comparison with published figures.
 )",
-                     case_table(task, main), picture(task), not_optimal(task, "small-increment"));
+                     case_table(task, main), picture(task), not_optimal(task, "small-increment", "of its"));
 }
 
 }  // namespace

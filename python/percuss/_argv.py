@@ -45,7 +45,7 @@ class Option:
         self.list = declared["list"]
         self.repeatable = declared["repeatable"]
         self.id = self.flag.lstrip("-").replace("-", "_")
-        self.keyword = self.id + "_" if self.id in ("from", "lambda") else self.id
+        self.keyword = self.id + "_" if self.id == "from" else self.id
         self.is_flag = not self.shown
         self.is_written = self.id in _WRITTEN
         self.is_file = self.shown in ("FILE", "FOLDER") and not self.is_written

@@ -72,7 +72,7 @@ def test_deviations_and_coherences_are_real(name):
     assert "complex numbers" in message_of(percuss.InputError, lambda: percuss.Frf(line, 1j * line, **{name: 1j * line}))
 
 
-def test_tables_are_finite_and_hold_no_frfs():
+def test_geometry_is_finite_and_compare_takes_no_frfs():
     line = np.arange(1, 401.0)
     frf = percuss.Frf(line, np.ones((3, 1, 400), dtype=complex), points=[3, 1, 2])
     places = np.eye(3)

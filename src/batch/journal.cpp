@@ -101,7 +101,7 @@ void Journal::load(const ShardLabel& label, bool anew) {
 }
 
 void Journal::take(std::string_view line, std::uint64_t offset) {
-  const auto within = [&](std::size_t index) { return index >= range_.first && index < range_.last; };
+  const auto within = [&](std::size_t index) { return index >= range_.first && index < range_.end; };
   if (const auto again = reopened_record(line); again && within(*again)) discard(*again);
   const auto done = completed_line(line);
   if (!done || !within(done->index) || has(done->index)) return;

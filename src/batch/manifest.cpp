@@ -176,7 +176,7 @@ std::size_t Manifest::records_before(std::size_t i, std::size_t shards) const {
 }
 
 ShardRange Manifest::shard(std::size_t i, std::size_t shards) const {
-  return {.first = records_before(i, shards), .last = records_before(i + 1, shards)};
+  return {.first = records_before(i, shards), .end = records_before(i + 1, shards)};
 }
 
 }  // namespace percuss::batch

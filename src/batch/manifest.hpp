@@ -31,10 +31,10 @@ std::string options_sha256(const BatchHeader& head);
 void write_manifest(const std::string& path, const BatchHeader& head, const std::vector<BatchRecord>& records,
                     bool force);
 
-/// Records first … last − 1 of a manifest.
+/// Records first … end − 1 of a manifest.
 struct ShardRange {
-  std::size_t first = 0, last = 0;
-  std::size_t size() const { return last - first; }
+  std::size_t first = 0, end = 0;
+  std::size_t size() const { return end - first; }
 };
 
 /// A valid manifest. Its records stay in the file until they are read: 16 bytes of memory for each.

@@ -36,7 +36,7 @@ FinishedShard write_finished_shard(const ShardJob& job, const ShardLabel& label,
   const auto refused = AtomicFile::Links::refused;
   Sha256File file(part_path(job.folder, job.shard, "jsonl"), true, refused);
   file.add(label_line(label) + "\n");
-  for (std::size_t i = range.first; i < range.last; ++i) file.add(journal.rows(i));
+  for (std::size_t i = range.first; i < range.end; ++i) file.add(journal.rows(i));
   file.commit();
   part.bytes = file.bytes();
   part.sha256 = file.sha256();
@@ -88,7 +88,7 @@ std::set<std::size_t> records_that_came_back(const ShardJob& job, const Finished
   std::set<std::size_t> back;
   if (part.failed == 0 || part.records != range.size()) return back;
   for_each_record(part_path(job.folder, job.shard, "jsonl"), range, [&](std::size_t i, const auto& rows) {
-    if (i < range.last && file_came_back(job.manifest->record(i), rows.front())) back.insert(i);
+    if (i < range.end && file_came_back(job.manifest->record(i), rows.front())) back.insert(i);
   });
   return back;
 }
@@ -96,7 +96,7 @@ std::set<std::size_t> records_that_came_back(const ShardJob& job, const Finished
 // Moves the other records of a finished shard to the journal. From then on the shard counts as unfinished.
 void reopen_shard(const ShardJob& job, ShardRange range, const std::set<std::size_t>& back, Journal& journal) {
   for_each_record(part_path(job.folder, job.shard, "jsonl"), range, [&](std::size_t i, const auto& rows) {
-    if (i < range.last && !back.contains(i) && !journal.has(i)) journal.finish(i, is_failed_row(rows.front()), rows);
+    if (i < range.end && !back.contains(i) && !journal.has(i)) journal.finish(i, is_failed_row(rows.front()), rows);
   });
   const std::string mark = part_path(job.folder, job.shard, "ok");
   std::error_code problem;
@@ -107,7 +107,7 @@ void reopen_shard(const ShardJob& job, ShardRange range, const std::set<std::siz
 // Opens the records of an unfinished shard again that failed because their file was lost or changed, and whose file is
 // back.
 void reopen_records(const ShardJob& job, ShardRange range, Journal& journal) {
-  for (std::size_t i = range.first; i < range.last; ++i) {
+  for (std::size_t i = range.first; i < range.end; ++i) {
     if (!journal.has(i) || !journal.failed(i)) continue;
     const std::string rows = journal.rows(i);
     if (file_came_back(job.manifest->record(i), std::string_view(rows).substr(0, rows.find('\n')))) journal.reopen(i);
@@ -175,7 +175,7 @@ ShardOutcome run_shard(const ShardJob& job) {
   }
   reopen_records(job, range, journal);
   std::vector<std::size_t> left;
-  for (std::size_t i = range.first; i < range.last; ++i) {
+  for (std::size_t i = range.first; i < range.end; ++i) {
     if (!journal.has(i)) left.push_back(i);
   }
   ProblemsOfRun problems = analyse(job, journal, left);

@@ -34,8 +34,8 @@ class BudgetMeter {
   double spent_s_ = 0;                    // in scopes that have ended
   std::atomic<double> began_s_{0};        // of the present scope
   std::atomic<double> next_memory_s_{0};  // when the memory is measured again
-  // The flag of the InterruptScope in which the last BudgetScope began. Without such a scope: of the InterruptScope in
-  // which this object was made. nullptr: none.
+  // The flag of the latest InterruptScope in which a BudgetScope of this meter began, or in which this object was made.
+  // nullptr: none.
   std::shared_ptr<std::atomic<bool>> interrupted_;
 };
 

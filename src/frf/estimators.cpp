@@ -66,7 +66,6 @@ CrossSpectra cross_spectra(std::span<const std::span<const Complex>> force,
                    .aa = std::vector<double>(lines),
                    .fa = std::vector<Complex>(lines),
                    .averages = force.size()};
-  constexpr std::size_t kLinesPerBlock = 256;  // lines whose sums fit into the first-level cache
   for (std::size_t first = 0; first < lines; first += kLinesPerBlock) {
     const std::size_t end = std::min(first + kLinesPerBlock, lines);
     for (std::size_t h = 0; h < force.size(); ++h) {

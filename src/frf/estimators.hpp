@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,9 @@ enum class Estimator { h1, h2, hv };
 
 /// H1, H2, Hv
 const char* name_of(Estimator estimator);
+
+/// Spectra of several hits are summed in blocks of this many lines, whose sums fit into the first-level cache.
+inline constexpr std::size_t kLinesPerBlock = 256;
 
 /// Cross and auto spectra, summed over the hits at each spectral line. They are one-sided and not scaled: only their
 /// ratios are used.

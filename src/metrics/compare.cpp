@@ -16,7 +16,8 @@ namespace {
 constexpr double kSamePlace_m = 1e-6;
 constexpr double kAgreeingMac = 0.9;   // of the shapes of a distant pair
 constexpr double kFurthestFactor = 2;  // between the frequencies of a distant pair
-constexpr double kFurthestSteps = 10;  // steps per 100 %, to which the limit that would pair them is rounded up
+// The limit that would pair the two modes is rounded up to a multiple of 1/kFurthestSteps.
+constexpr double kFurthestSteps = 10;
 
 // Whether the modes may be of one kind. Only classified modes state whether they are the second peak of a split mode.
 bool kinds_agree(const ComparedMode& a, const ComparedMode& b) {

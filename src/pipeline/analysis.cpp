@@ -154,7 +154,7 @@ std::vector<AnalysedHit> Analysis::compute_hits() const {
   if (!possible()) return out;
   grade_by_responses(out, responses());
   if (!any_accepted(out)) return out;
-  const std::vector<HitSpectra> compared = spectra_of_hits(out, force_spectra(), responses(), lines().count);
+  const std::vector<ComparedHit> compared = spectra_of_hits(out, force_spectra(), responses(), lines().count);
   const ThreadLimit limit(options_.threads);
   trace_.run("agreement", [&] {
     grade_agreement(out, compared, record().rows);

@@ -140,12 +140,12 @@ class Analysis {
   std::vector<Warning> warnings() const;
 
  private:
-  // The lines of the transforms: lines() and, of a record, some beyond.
+  // The lines of the transforms: lines(), and for a record also those up to the highest possible end (LineChoice).
   const LineChoice& line_choice() const;
   TransformOptions transform_options(const acquire::LineRange& lines) const;
   // force_hits(), with the gate of the force that explains the responses better.
   const std::vector<AnalysedHit>& gated_hits() const;
-  // The responses over lines(), and these lines, which the responses show.
+  // The responses over lines(), and lines() itself: its end depends on the responses (end_past_modes).
   struct ReadSpectra {
     acquire::LineRange lines;
     HitResponses responses;
@@ -163,8 +163,9 @@ class Analysis {
   identify::IdentifyOptions all_modes() const;
   std::vector<identify::ModeClassification> types_below() const;  // of modes_below(), as modes of a tube
   identify::LowerTubeModes modes_of_lower_orders() const;
-  // Adds the modes of the starting frequencies that name no mode found (identify::with_started_modes).
+  // Fits the modes again with the time before the blow, where given FRFs show it (time_before_blow_s).
   void allow_for_blow_time(std::vector<identify::Mode>& found) const;
+  // Adds the modes of the starting frequencies that name no mode found (identify::with_started_modes).
   void add_started_modes(std::vector<identify::Mode>& found) const;
   // Fits the modes again, to FRFs without the drift that they have in common, if they have one.
   void remove_drift(const TestSpectra& from, const std::function<const identify::HitFrfs&()>& hits,

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/parallel/parallel.hpp"
+#include "pipeline/channels/channel_clocks.hpp"
 #include "pipeline/stages/mode_stages.hpp"
 #include "pipeline/warnings/hit_scatter_warnings.hpp"
 #include "pipeline/warnings/mode_warnings.hpp"
@@ -16,8 +17,6 @@
 
 namespace percuss::pipeline {
 namespace {
-
-constexpr std::size_t kMinClockModes = 4;  // as channel_clocks() needs
 
 std::vector<identify::DrivingPoint> with_point_indices(std::vector<identify::DrivingPoint> driving,
                                                        const std::vector<int>& points) {
@@ -44,12 +43,12 @@ SurveyModes survey_modes(const Analysis& analysis, identify::Roving roving,
   const std::vector<identify::Mode>& found = analysis.modes();
   const auto several = [](const identify::Mode& mode) { return identify::test_rank(mode).two_modes(); };
   // A sensor that was reversed or moved at some points also makes the residues rank two (sensors_disagree).
-  const bool any = roving == identify::Roving::hammer && std::any_of(found.begin(), found.end(), several) &&
-                   reference_warnings(analysis.record().accel, found, analysis.point_names()).empty();
-  const std::vector<int> points = any ? analysis.frf_points() : std::vector<int>{};
+  const bool may_repeat = roving == identify::Roving::hammer && std::any_of(found.begin(), found.end(), several) &&
+                          reference_warnings(analysis.record().accel, found, analysis.point_names()).empty();
+  const std::vector<int> points = may_repeat ? analysis.frf_points() : std::vector<int>{};
   // All modes of the fit, for the flanks of the neighbours.
   const std::vector<identify::Mode> all =
-      any ? with_point_indices(analysis.fitted_modes(), points) : std::vector<identify::Mode>{};
+      may_repeat ? with_point_indices(analysis.fitted_modes(), points) : std::vector<identify::Mode>{};
   const std::vector<identify::DrivingPoint> driving_index = with_point_indices(driving, points);
   const ThreadLimit limit(analysis.options().threads);
   for (std::size_t m = 0; m < found.size(); ++m) {
@@ -115,7 +114,7 @@ std::vector<Warning> repeated_mode_warnings(const SurveyModes& survey, bool driv
 void remove_consequences_of_pairs(const Analysis& analysis, const SurveyModes& survey, std::vector<Warning>& warnings) {
   if (!any_resolved(survey)) return;
   constexpr std::array<std::string_view, 4> kOfModes{"moving_modes", "hits_differ", "local_fits", "model_misfit"};
-  const bool alone = survey.modes.size() - 2 * survey.pairs.size() >= kMinClockModes;
+  const bool enough_unpaired = survey.modes.size() - 2 * survey.pairs.size() >= kMinClockModes;
   const bool force_known = analysis.given_frfs() == nullptr;
   std::vector<Warning> again = freq_scatter_warnings(
       survey.modes, force_known ? order_of_points(analysis.hits()) : std::map<int, double>{}, force_known);
@@ -133,7 +132,8 @@ void remove_consequences_of_pairs(const Analysis& analysis, const SurveyModes& s
       *old = *now;
     }
   }
-  if (!alone) std::erase_if(warnings, [](const Warning& warning) { return warning.code == "clock_mismatch"; });
+  if (!enough_unpaired)
+    std::erase_if(warnings, [](const Warning& warning) { return warning.code == "clock_mismatch"; });
 }
 
 }  // namespace percuss::pipeline

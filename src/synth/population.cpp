@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "metrics/protocol/performance.hpp"
 #include "metrics/protocol/resolution.hpp"

@@ -180,7 +180,7 @@ double pulse_force_N(const Pulse& pulse, double t_s) {
 }
 
 PulseSupport pulse_support(const Pulse& pulse, double fs_Hz, std::span<const SynthPole> poles) {
-  constexpr double kMaxGrowthExponent = 5;  // a regular part never exceeds e^5 of the force's peak
+  constexpr double kMaxGrowthExponent = 5;  // a regular part never exceeds e^5 times the peak of the force
   const Zone zone(SampledPulse(pulse, fs_Hz));
   double longest = 0;
   for (const SynthPole& pole : poles) {

@@ -12,11 +12,9 @@
 
 namespace percuss::batch::journal_test {
 
-using testing::HasSubstr;
-
 class BatchJournal : public testing::Test {
  protected:
-  Journal open(bool anew = false) { return {path_, label_, {.first = 10, .last = 20}, anew}; }
+  Journal open(bool anew = false) { return {path_, label_, {.first = 10, .end = 20}, anew}; }
   test::ScratchFolder folder_;
   std::string path_ = folder_.file("part-0.partial");
   ShardLabel label_{.version = "1", .manifest_sha256 = "m", .options_sha256 = "o", .shard = 0, .shards = 2};

@@ -59,7 +59,7 @@ TEST_F(BatchManifest, IsDividedWithoutGapOrOverlap) {
     std::size_t next = 0;
     for (std::size_t i = 0; i < shards; ++i) {
       EXPECT_EQ(manifest.shard(i, shards).first, next);
-      next = manifest.shard(i, shards).last;
+      next = manifest.shard(i, shards).end;
     }
     EXPECT_EQ(next, 100U);
   }
@@ -73,7 +73,7 @@ TEST_F(BatchManifest, IsDividedIntoAboutEqualBytes) {
   const Manifest manifest(path_);
   for (std::size_t i = 0; i < 5; ++i) {
     std::uint64_t sum = 0;
-    for (std::size_t r = manifest.shard(i, 5).first; r < manifest.shard(i, 5).last; ++r) sum += bytes[r];
+    for (std::size_t r = manifest.shard(i, 5).first; r < manifest.shard(i, 5).end; ++r) sum += bytes[r];
     EXPECT_NEAR(static_cast<double>(sum), static_cast<double>(manifest.bytes()) / 5, 500);
   }
 }

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace percuss::frf::leave_one_out_test {
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 
 #include "pipeline/analysis.hpp"
 #include "support/modal_frfs.hpp"
@@ -130,13 +129,8 @@ TEST(IdentifyModes, BestEffortReducesTheStandardDeviationOfTheFrequency) {
 }
 
 TEST(IdentifyModes, BestEffortKeepsTheLocalFitWhereTheModelFails) {
-  // Forty components from 500 to 503.9 Hz stand for a mode whose frequency changes during the decay. The model cannot
-  // describe this mode: its joint fit must be rejected.
-  FrfDataset set = test::empty_set(4096, 32768, 250, 650, 1);
-  for (int part = 0; part < 40; ++part)
-    test::add_mode(set, 0, {500 + 0.1 * part, 0.01}, Complex(0.02, part % 3 == 0 ? 0.01 : 0));
-  test::add_mode(set, 0, {320, 0.008}, Complex(0.5, 0.2));
-  test::add_frf_noise(set, 1e-3, 4);
+  // The model cannot describe a mode whose frequency changes during the decay: its joint fit must be rejected.
+  const FrfDataset set = test::frfs_of_changing_mode();
   const auto standard = identify_modes(set, {.effort = Effort::standard, .start_Hz = {320, 502}});
   const auto best = identify_modes(set, {.effort = Effort::best, .start_Hz = {320, 502}});
   ASSERT_EQ(best.size(), 2U);

@@ -1,12 +1,10 @@
 #include "metrics/common_places.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <map>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace percuss::metrics::common_places_test {

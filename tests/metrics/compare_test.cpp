@@ -185,7 +185,8 @@ std::vector<PairedBy> rules(const PairedModes& paired) {
   return out;
 }
 
-// An aluminium and a wooden bat: by frequency alone, 4a pairs with 5, and 3a with 3b.
+// An aluminium and a wooden bat: by frequency alone, bending 4 of the first bat (lower peak) pairs with bending 5 of
+// the second, and bending 3 (lower peak) with the upper peak of bending 3.
 TEST(PairModes, PairsByFamilyAndOrder) {
   const ComparedDocument aluminium = document_of_orders({{"bending", 1, 175.2},
                                                          {"bending", 1, 175.9, 0.99, true},

@@ -17,7 +17,6 @@ namespace percuss::report::frf_files_test {
 
 using test::lines_of;
 using testing::HasSubstr;
-using testing::StartsWith;
 
 /// Two channels; `hits` hits on each of `points` points.
 pipeline::Analysis analysis_of(std::size_t hits, std::size_t points = 1) {

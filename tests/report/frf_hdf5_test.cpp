@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
-#include <array>
-
 #include "acquire/formats/hdf5/hdf5_input.hpp"
 #include "acquire/write_record.hpp"
 #include "report/frf_files.hpp"

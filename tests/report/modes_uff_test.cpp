@@ -134,6 +134,10 @@ std::map<int, std::array<double, 3>> motion_in(const std::string& path) {
   return out;
 }
 
+// The motion of the nodes along the blows (node 1, +z), (2, −x), (3, +y) and (4, −z).
+const std::map<int, std::array<double, 3>> kStruckMotion{
+    {1, {0, 0, 0.9}}, {2, {-0.6, 0, 0}}, {3, {0, 0.2, 0}}, {4, {0, 0, 0.55}}};
+
 class StatedDirections : public testing::Test {
  protected:
   static constexpr double kWithin = 1e-4;  // six digits of the FRFs in the file
@@ -169,10 +173,8 @@ TEST_F(StatedDirections, MoveTheNodesOfARovingHammer) {
   EXPECT_EQ(document["roving"], "hammer");
   EXPECT_EQ(document["motion"][1], nlohmann::json::parse(R"({"point": 2, "place": 2, "direction": [1.0, 0.0, 0.0]})"));
   EXPECT_NEAR(document["modes"][0]["shape"]["modal_mass_kg"].get<double>(), 1 / (0.9 * 0.9), kWithin);
-  const std::map<int, std::array<double, 3>> expected{
-      {1, {0, 0, 0.9}}, {2, {-0.6, 0, 0}}, {3, {0, 0.2, 0}}, {4, {0, 0, 0.55}}};
   ASSERT_EQ(motion_.size(), 4U);
-  for (const auto& [node, motion] : expected) {
+  for (const auto& [node, motion] : kStruckMotion) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(motion_[node].at(i), motion.at(i), kWithin) << node << " " << i;
   }
 }
@@ -221,11 +223,9 @@ TEST_F(StatedDirections, AreThoseOfTheGeometry) {
     EXPECT_THAT(test::schema_violations(document, test::schema_named("analysis")), testing::IsEmpty());
     EXPECT_EQ(document["places"][1]["direction"], nlohmann::json::parse("[-1.0, 0.0, 0.0]"));
     auto motion = motion_in(folder_.file("modes.uff"));
-    const std::map<int, std::array<double, 3>> expected{
-        {1, {0, 0, 0.9}}, {2, {-0.6, 0, 0}}, {3, {0, 0.2, 0}}, {4, {0, 0, 0.55}}};
     ASSERT_EQ(motion.size(), 4U);
     const double scale = 0.9 / motion[1][2];
-    for (const auto& [node, moved] : expected) {
+    for (const auto& [node, moved] : kStruckMotion) {
       for (std::size_t i = 0; i < 3; ++i)
         EXPECT_NEAR(scale * motion[node].at(i), moved.at(i), kWithin) << node << " " << i << " " << geometry;
     }

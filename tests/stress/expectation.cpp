@@ -211,8 +211,14 @@ std::string text_of(const Expectation& expected) {
                                                                       : "every reported mode within 5σ";
   if (expected.freq_relative) text += fmt::format(", frequency to {:.0e}", *expected.freq_relative);
   if (expected.damping_absolute) text += fmt::format(", damping ratio to {:.0e}", *expected.damping_absolute);
-  for (const std::string& code : expected.says) text += ", says " + code;
-  if (!expected.warns.empty()) text += ", or says " + expected.warns;
+  bool warns_required = false;
+  for (const std::string& code : expected.says) {
+    text += ", says " + code;
+    if (code != expected.warns) continue;
+    text += ", which excuses 5σ";
+    warns_required = true;
+  }
+  if (!expected.warns.empty() && !warns_required) text += ", or says " + expected.warns;
   for (const std::string& reason : expected.or_refused) text += ", or refused: " + reason;
   return text;
 }

@@ -13,8 +13,8 @@ namespace percuss::stress {
 /// error of the frequency and the absolute error of the damping ratio. Synthetic samples are exact to 1e-12 of the peak
 /// and their filter to 1e-11. The condition number of a pole multiplies these errors by at most a hundred here.
 inline constexpr double kRoundingOfPole = 1e-9;
-/// The largest accepted error in reported standard deviations. A larger error without a warning is a failure: a normal
-/// error exceeds this limit once in 1.7 million.
+/// The largest accepted error, in units of the reported standard deviation. A larger error without a warning is a
+/// failure: a normal error exceeds this limit once in 1.7 million.
 inline constexpr double kMaxSigmas = 5;
 
 enum class Demand {

@@ -98,6 +98,15 @@ void add_frf_noise(identify::FrfDataset& set, double deviation, std::uint64_t se
   }
 }
 
+identify::FrfDataset frfs_of_changing_mode() {
+  identify::FrfDataset set = empty_set(4096, 32768, 250, 650, 1);
+  for (int part = 0; part < 40; ++part)
+    add_mode(set, 0, {500 + 0.1 * part, 0.01}, Complex(0.02, part % 3 == 0 ? 0.01 : 0));
+  add_mode(set, 0, {320, 0.008}, Complex(0.5, 0.2));
+  add_frf_noise(set, 1e-3, 4);
+  return set;
+}
+
 void set_gated_pulse(identify::FrfDataset& set, double noise_N) {
   frf::ForceBlock block{.offset = 100, .force_N = std::vector<double>(90), .ungated_N = {}};
   for (std::size_t n = 0; n < 9; ++n) block.force_N[40 + n] = std::sin(kTwoPi * (static_cast<double>(n) + 0.5) / 18);

@@ -32,6 +32,10 @@ void add_mode(identify::FrfDataset& set, std::size_t channel, const identify::Po
 /// Adds white noise to all FRFs. `deviation` is the standard deviation of its real and of its imaginary part.
 void add_frf_noise(identify::FrfDataset& set, double deviation, std::uint64_t seed);
 
+/// FRFs of one channel from 250 to 650 Hz, with little noise: a mode at 320 Hz, and forty components from 500 to 503.9
+/// Hz that stand for a mode whose frequency changes during the decay.
+identify::FrfDataset frfs_of_changing_mode();
+
 /// Gives point 0 the force of a hit: a pulse of 1 N and 9 samples in a gate of 90. The pulse is clean; `noise_N` is the
 /// standard deviation that is stated for the noise of the force channel.
 void set_gated_pulse(identify::FrfDataset& set, double noise_N);

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
+#include <numbers>
 
 namespace percuss::synth::structure_test {
 

@@ -1,7 +1,5 @@
 #include "cli/usage_errors.hpp"
 
-#include <fmt/format.h>
-
 #include "cli/nearest.hpp"
 #include "cli/option_names.hpp"
 

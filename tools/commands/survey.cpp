@@ -82,9 +82,13 @@ std::unique_ptr<pipeline::Analysis> analysis_of(const SurveyFlags& flags, const 
 
 bool is_indicator(const std::string& path) { return path.ends_with(".cmif.csv"); }
 
-void check_survey_outputs(const OutputFlags& output) {
-  check_outputs(output, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".uff", ".unv", ".glb"});
+const std::vector<std::string>& survey_extensions() {
+  static const std::vector<std::string> kExtensions{".json", ".html", ".svg", ".csv", ".h5",
+                                                    ".hdf5", ".uff",  ".unv", ".glb"};
+  return kExtensions;
 }
+
+void check_survey_outputs(const OutputFlags& output) { check_outputs(output, survey_extensions()); }
 
 void write_outputs(const SurveyFlags& flags, const pipeline::Survey& survey, const std::string& document) {
   OutputGroup outputs;
@@ -190,7 +194,7 @@ void add_survey(CommandLine& line) {
                   "Write a page that animates the shapes, and a file for 3-D viewers");
   add_read_flags(command, flags->read);
   add_analysis_flags(command, flags->analysis);
-  add_output_flags(command, flags->output, {".json", ".html", ".svg", ".csv", ".h5", ".hdf5", ".uff", ".unv", ".glb"});
+  add_output_flags(command, flags->output, survey_extensions());
   command
       .value(
           "--geometry", flags->geometry_path,

@@ -21,7 +21,7 @@ inline constexpr std::size_t kJournalHeader_bytes = 16, kBlockHeader_bytes = 32;
 inline constexpr std::uint32_t kMaxBlockPayload_bytes = std::uint32_t{1} << 24U;
 
 /// "form": the stream's format as JSON, once at the start of a session and of each resumption. "samp": interleaved
-/// samples. "evnt": JSON of the guidance. "find": JSON of a finding.
+/// samples. "evnt": JSON of an event of the recording session. "find": JSON of a finding.
 enum class JournalBlockType : std::uint32_t {
   format = 0x6d726f66,
   samples = 0x706d6173,

@@ -16,7 +16,7 @@ struct FrameRange {
   bool operator==(const FrameRange&) const = default;
 };
 
-/// An event of the guidance, and its place among the frames of the journal.
+/// An event of the recording session, and its place among the frames of the journal.
 struct JournalEvent {
   std::string json;
   std::uint64_t frame = 0;  // the frame number after the last frame before the event in the file

@@ -54,7 +54,7 @@ class SampleStream {
   virtual void stop() = 0;
 };
 
-/// The part of the journal that the guidance writes and, on resuming, reads again.
+/// The part of the journal that the recording session writes and, on resuming, reads again.
 class SessionLog {
  public:
   SessionLog() = default;

@@ -19,8 +19,8 @@ enum class RowMark {
   lost_samples = 8,
   outlier = 9,
   no_pulse = 10,
-  undone = 11,
-  redone = 12,
+  undone = 11,  // alone, as the latest accepted blow
+  redone = 12,  // undone with its point, whose blows are repeated
   no_numbers = 13,
   struck_again = 14,
   ended = 15

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/io/csv_header.hpp"
 #include "core/io/input_file.hpp"
+#include "core/io/parse_number.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -18,7 +19,7 @@ constexpr std::size_t kDateHead_bytes = std::size_t{1} << 16U, kMaxHeadLines = 4
 
 constexpr std::string_view kBlanks{" \t\r\n\"'\0", 7};  // with the NUL that ends texts of sound files
 
-std::string_view trimmed(std::string_view text, std::string_view blanks = kBlanks) {
+std::string_view stripped(std::string_view text, std::string_view blanks = kBlanks) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
@@ -37,8 +38,8 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 // Data set 58 begins with five lines of text; the third one is the date.
 std::string uff_date(const std::vector<std::string_view>& lines) {
   for (std::size_t i = 1; i + 3 < lines.size(); ++i) {
-    const std::string_view number = trimmed(lines[i]);
-    if (trimmed(lines[i - 1]) == "-1" && (number == "58" || number.starts_with("58b")))
+    const std::string_view number = stripped(lines[i]);
+    if (stripped(lines[i - 1]) == "-1" && (number == "58" || number.starts_with("58b")))
       return plausible_date(lines[i + 3]);
   }
   return "";
@@ -54,17 +55,15 @@ struct SplitLine {
 };
 // Nothing for a line that does not have the word within its first 40 characters.
 std::optional<SplitLine> split_at_word(std::string_view line, std::string_view word) {
-  line = trimmed(line, " \t\r\n\"'#%;/*");
+  line = stripped(line, " \t\r\n\"'#%;/*");
   const std::string lower = lower_case(std::string(line.substr(0, std::min<std::size_t>(line.size(), 40))));
   const std::size_t at = lower.find(word);
   if (at == std::string::npos || (at > 0 && lower[at - 1] != ' ' && lower[at - 1] != '_')) return std::nullopt;
   const std::size_t end = at + word.size();
   if (end >= line.size() || kAfterWord.find(line[end]) == std::string_view::npos) return std::nullopt;
-  return SplitLine{.before = std::string(trimmed(std::string_view(lower).substr(0, at), " _")),
-                   .after = trimmed(line.substr(end), " \t\r\n,;:=\"")};
+  return SplitLine{.before = std::string(stripped(std::string_view(lower).substr(0, at), " _")),
+                   .after = stripped(line.substr(end), " \t\r\n,;:=\"")};
 }
-
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 // The end of the digits that begin at `at`.
 std::size_t end_of_digits(std::string_view text, std::size_t at) {
@@ -133,8 +132,8 @@ std::string time_after_date(std::string_view text) {
   return time;
 }
 
-// The first date of a text and the time of day after it, both unchanged: no order of day and month is assumed. Empty
-// without a date, as for the names of columns and for a time of day alone.
+// The first date of a text: the date unchanged, because no order of day and month is assumed; then a blank and the time
+// of day to whole seconds. Empty without a date, as for the names of columns and for a time of day alone.
 std::string calendar_date(std::string_view text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (!is_digit(text[at]) || (at > 0 && std::isalnum(static_cast<unsigned char>(text[at - 1])) != 0)) continue;
@@ -145,7 +144,8 @@ std::string calendar_date(std::string_view text) {
   return "";
 }
 
-// "Pruefdatum" for the German umlauts and sharp s in UTF-8 and Latin-1: titles are ASCII.
+// Replaces German umlauts and sharp s (UTF-8 or Latin-1) by ASCII letters, because the words searched for are ASCII:
+// "Prüfdatum" becomes "Pruefdatum".
 std::string without_umlauts(std::string_view text) {
   constexpr std::array<std::array<std::string_view, 3>, 5> kLetters{{{"\xC3\xA4", "\xE4", "ae"},
                                                                      {"\xC3\xB6", "\xF6", "oe"},
@@ -184,7 +184,7 @@ std::string calendar_date_in_line(std::string_view line) {
       "date of acquisition", "date recorded", "date measured", "testdate", "recording time", "acquisition time",
       "measurement time", "test time", "time of test", "time of measurement", "time of recording", "timestamp",
       "time stamp", "recorded on", "recorded at", "recorded", "measured on", "measured at"};
-  line = trimmed(line, " \t\r\n\"'#%;/*");
+  line = stripped(line, " \t\r\n\"'#%;/*");
   if (line.empty() || is_digit(line.front())) return "";
   const std::string text = without_umlauts(line.substr(0, kHead_bytes));
   std::string lower = lower_case(text);
@@ -192,7 +192,7 @@ std::string calendar_date_in_line(std::string_view line) {
   for (const std::string_view word : kWords) {
     if (lower.size() <= word.size() || !lower.starts_with(word) || kAfterWord.find(lower[word.size()]) == kNowhere)
       continue;
-    const std::string_view after = trimmed(std::string_view(text).substr(word.size()), " \t\r\n,;:=\"");
+    const std::string_view after = stripped(std::string_view(text).substr(word.size()), " \t\r\n,;:=\"");
     const std::array kOther = {"der ", "des ", "von ", "of "};  // "Datum der Kalibrierung"
     const bool of_other =
         std::any_of(kOther.begin(), kOther.end(), [&](const char* other) { return after.starts_with(other); });
@@ -286,10 +286,9 @@ std::string sound_date(std::string_view head) {
 }  // namespace
 
 std::string plausible_date(std::string_view text) {
-  text = trimmed(text);
-  const auto digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+  text = stripped(text);
   const auto printable = [](unsigned char c) { return c >= 0x20 && c < 0x7F; };
-  if (text.size() > kMaxDate_bytes || std::count_if(text.begin(), text.end(), digit) < 3 ||
+  if (text.size() > kMaxDate_bytes || std::count_if(text.begin(), text.end(), is_digit) < 3 ||
       !std::all_of(text.begin(), text.end(), printable))
     return "";
   return std::string(text);
@@ -302,7 +301,7 @@ std::string stated_date(std::string_view head) {
   if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);  // byte-order mark
   const std::vector<std::string_view> lines = lines_of(head);
   const bool universal =
-      std::any_of(lines.begin(), lines.end(), [](std::string_view line) { return trimmed(line) == "-1"; });
+      std::any_of(lines.begin(), lines.end(), [](std::string_view line) { return stripped(line) == "-1"; });
   return universal ? uff_date(lines) : text_date(lines);
 }
 

@@ -15,8 +15,8 @@ double student_quantile(double z, double degrees) {
 }
 
 double student_factor(double degrees) {
-  constexpr double kCoverage = 1.96;  // normal deviate of the 95 % interval
-  return student_quantile(kCoverage, degrees) / kCoverage;
+  constexpr double kDeviateOf95Percent = 1.96;  // of the normal distribution
+  return student_quantile(kDeviateOf95Percent, degrees) / kDeviateOf95Percent;
 }
 
 double upper_tail(double deviate) { return 0.5 * std::erfc(deviate / std::numbers::sqrt2); }

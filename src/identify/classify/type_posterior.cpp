@@ -10,13 +10,15 @@ namespace {
 
 using std::numbers::pi;
 
-// 2° apart over 90°: every plane comes with the plane at right angles to it; over 180° for the plane of the blow.
+// Planes of the tube: 2° apart over 90°, because every plane comes with the one at right angles to it. Planes of the
+// blow: 2° apart over 180°.
 constexpr std::size_t kPlanes = 45;
 constexpr std::size_t kBlowPlanes = 2 * kPlanes;
 constexpr double kPairPrior = 0.9;      // prior probability that two partners are one mode in two planes
 constexpr double kPairAngle_rad = 0.1;  // standard deviation, around 90°, of the angle between a mode's two planes
-constexpr double kBroader = 2;          // width of the density of the log size ratio: unrelated modes over a pair
-constexpr double kMinHoop_Hz = 1000;    // lowest hoop frequency of barrels
+// Density of the log size ratio: its width for unrelated modes over its width for a pair.
+constexpr double kBroader = 2;
+constexpr double kMinHoop_Hz = 1000;  // lowest hoop frequency of barrels
 
 // One number per type, in the order of TypePosterior: a prior, likelihoods or weights whose sum is not 1.
 using TypeWeights = TypePosterior;
@@ -183,7 +185,7 @@ class JointPosterior {
   const std::vector<TypeEvidence>& modes_;
   std::size_t planes_;
   std::vector<ModeTable> tables_;
-  std::vector<std::optional<PairTable>> pairs_;  // where both sensors observe both members
+  std::vector<std::optional<PairTable>> pairs_;  // where both members have a ratio
 };
 
 }  // namespace

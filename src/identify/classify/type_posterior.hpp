@@ -11,8 +11,8 @@ namespace percuss::identify {
 /// Posterior probabilities of the types, in the order bending, hoop, other.
 using TypePosterior = std::array<double, 3>;
 
-/// The evidence for one mode: the ratio (none where no sensor observes the mode) and the partner: a mode that may
-/// be the same one in the other plane.
+/// The evidence for one mode: the ratio (none where the first sensor has no residue, or no point has both sensors) and
+/// the partner: a mode that may be the same one in the other plane.
 struct TypeEvidence {
   double freq_Hz = 0;
   double size = 1;  // of both sensors' residues together, in any unit

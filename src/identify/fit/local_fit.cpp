@@ -67,7 +67,8 @@ bool descend(LocalProblem& problem, const LocalFitOptions& options, std::size_t 
   LevenbergMarquardtOptions search = kLocalSearch;
   search.max_steps = options.max_steps;
   search.step_tolerance = options.tolerance;
-  search.cost_tolerance = options.change * options.change / static_cast<double>(std::max<std::size_t>(degrees, 1));
+  search.cost_tolerance =
+      options.change_tolerance * options.change_tolerance / static_cast<double>(std::max<std::size_t>(degrees, 1));
   const LevenbergMarquardtStop stop = levenberg_marquardt(problem, search).stop;
   return stop == LevenbergMarquardtStop::small_step || stop == LevenbergMarquardtStop::small_decrease;
 }

@@ -24,7 +24,8 @@ struct LocalFitOptions {
   std::size_t residual_terms = 3;    // complex coefficients of the polynomial that stands for the other modes
   int max_steps = 30;
   double tolerance = 1e-7;  // of a step, see normalised_step
-  double change = 0.01;     // expected change of the poles, in standard deviations; either tolerance ends the fit
+  // Expected change of the poles, in standard deviations. Either tolerance ends the fit.
+  double change_tolerance = 0.01;
 };
 
 /// Least squares of all FRFs in a window by modes with complex residues and a polynomial. Poles are found by
@@ -35,9 +36,8 @@ struct LocalFitOptions {
 LocalFit fit_locally(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data,
                      const Eigen::VectorXd& noise_scale, std::vector<Pole> start, const LocalFitOptions& options);
 
-/// A first pole by a linear fit over a window: (jω − s)·H = a + b·jω, with one s for all FRFs, and a and b per FRF.
-/// freq_Hz is 0 where the window holds no decaying oscillation.
-/// theory (4.2)
+/// A start value of a pole, by a linear fit over a window: (jω − s)·H = a + b·jω, with one s for all FRFs, and a and b
+/// per FRF. freq_Hz is 0 where the window holds no decaying oscillation. theory (4.2)
 Pole pole_of_window(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& data, std::size_t first);
 
 }  // namespace percuss::identify

@@ -20,10 +20,10 @@ using Eigen::VectorXd;
 constexpr double kAboveNoise = 20;  // smallest energy of a used line over all FRFs, relative to the noise
 constexpr Index kColumnsPerTask = 16;
 constexpr std::size_t kFlopsPerCopiedLine = 10;
-constexpr std::size_t kMaxUsedLines = 1500;  // the strongest lines are used
+constexpr std::size_t kMaxUsedLines = 1500;
 
-// Each FRF divided by its noise, at the lines above the noise, and at the 2·channels strongest lines in any case.
-// Shape [2 lines, channels]: real parts, then imaginary.
+// Each FRF divided by its noise, at the lines above the noise, and at the 2·channels strongest lines in any case: at
+// most kMaxUsedLines lines, the strongest. Shape [2 lines, channels]: real parts, then imaginary.
 MatrixXd lines_above_noise(const FrfDataset& set, const VectorXd& noise) {
   const std::size_t lines = set.lines.count;
   std::vector<std::pair<double, std::size_t>> level(lines);

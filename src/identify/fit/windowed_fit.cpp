@@ -104,7 +104,7 @@ bool WindowedFit::unchanged(std::size_t group, const std::vector<VectorXcd>& dat
     const VectorXcd moved = data[o] - before[o];
     change += (moved - smooth * (smooth.transpose() * moved)).squaredNorm() / (noise * noise);
   }
-  return change < options_.change * options_.change;
+  return change < options_.change_tolerance * options_.change_tolerance;
 }
 
 double WindowedFit::gap(const Pole& below, const Pole& above) const {
@@ -232,7 +232,10 @@ std::vector<VectorXcd> WindowedFit::residual() const {
 LocalFit WindowedFit::fit(const FitGroup& group, const std::vector<VectorXcd>& data, std::vector<Pole> start,
                           const VectorXd& noise_scale, double tolerance) const {
   return fit_locally(set_, data, noise_scale, std::move(start),
-                     {.first = group.first, .count = group.count, .tolerance = tolerance, .change = options_.change});
+                     {.first = group.first,
+                      .count = group.count,
+                      .tolerance = tolerance,
+                      .change_tolerance = options_.change_tolerance});
 }
 
 VectorXd WindowedFit::residual_noise(const FitGroup& group) const {

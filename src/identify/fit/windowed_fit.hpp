@@ -20,7 +20,7 @@ struct WindowedFitOptions {
   double window_widths = 10;
   /// A group is fitted again where its data changed by more than this, in standard deviations of the fitted values. A
   /// smooth change is disregarded, because the polynomial follows it.
-  double change = LocalFitOptions{}.change;
+  double change_tolerance = LocalFitOptions{}.change_tolerance;
 };
 
 /// The fit of a set of modes in groups of close modes. Each group is fitted over its own window of spectral lines, with

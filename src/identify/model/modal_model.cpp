@@ -54,9 +54,8 @@ PointForce point_force(std::vector<frf::ForceBlock> blocks, std::vector<frf::Spe
 
 std::vector<Complex> h1_at(const PointForce& force, std::span<const std::span<const Complex>> accel) {
   std::vector<Complex> frf(force.ff.size());
-  constexpr std::size_t kBlock = 256;  // lines whose sum fits into the first-level cache
-  for (std::size_t first = 0; first < frf.size(); first += kBlock) {
-    const std::size_t end = std::min(first + kBlock, frf.size());
+  for (std::size_t first = 0; first < frf.size(); first += frf::kLinesPerBlock) {
+    const std::size_t end = std::min(first + frf::kLinesPerBlock, frf.size());
     for (std::size_t h = 0; h < accel.size(); ++h) {
       const Complex* f = force.spectra[h].get();
       const Complex* a = accel[h].data();

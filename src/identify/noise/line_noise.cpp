@@ -19,10 +19,13 @@ constexpr double kMinPower = 1e-300;
 constexpr std::size_t kStride = 8;  // every eighth line is tested for the largest
 constexpr std::size_t kFlopsPerNoiseLine = 20;
 
-// The middle line of a block, when the lines make `blocks` blocks.
+// One past the last line of a block, when the lines make `blocks` blocks.
+std::size_t end_of(std::size_t block, std::size_t blocks, std::size_t lines) {
+  return block + 1 < blocks ? (block + 1) * kNoiseBlock : lines;
+}
+
 std::size_t middle_of(std::size_t block, std::size_t blocks, std::size_t lines) {
-  const std::size_t end = block + 1 < blocks ? (block + 1) * kNoiseBlock : lines;
-  return (block * kNoiseBlock + end) / 2;
+  return (block * kNoiseBlock + end_of(block, blocks, lines)) / 2;
 }
 
 double response_noise(const std::vector<Complex>& frf, const std::vector<double>& ff, std::vector<double> blocks) {
@@ -75,7 +78,7 @@ std::vector<double> block_noise(std::span<const Complex> lines, double roughness
   std::vector<double> noise(std::max<std::size_t>(lines.size() / kNoiseBlock, 1));
   std::vector<double> rough;
   for (std::size_t b = 0; b < noise.size(); ++b) {
-    const std::size_t end = b + 1 < noise.size() ? (b + 1) * kNoiseBlock : lines.size();
+    const std::size_t end = end_of(b, noise.size(), lines.size());
     rough.clear();
     for (std::size_t k = b * kNoiseBlock + 1; k < end && k + 1 < lines.size(); k += 2)
       rough.push_back(std::norm(lines[k] - 0.5 * (lines[k - 1] + lines[k + 1])) / roughness);
@@ -89,7 +92,7 @@ std::vector<double> local_noise(std::span<const double> blocks, std::size_t line
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const std::size_t first = b > 0 ? b - 1 : 0, last = std::min(b + 1, blocks.size() - 1);
     const auto around = blocks.subspan(first, last - first + 1);
-    const std::size_t end = b + 1 < blocks.size() ? (b + 1) * kNoiseBlock : lines;
+    const std::size_t end = end_of(b, blocks.size(), lines);
     std::fill(noise.begin() + static_cast<std::ptrdiff_t>(b * kNoiseBlock),
               noise.begin() + static_cast<std::ptrdiff_t>(end), median({around.begin(), around.end()}));
   }

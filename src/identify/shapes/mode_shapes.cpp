@@ -71,18 +71,18 @@ Eigen::VectorXcd solve_side(const Eigen::MatrixXcd& value, const Eigen::MatrixXd
 RankOne rank_one(const Grid& grid) {
   RankOne fit;
   fit.b = leading_right_vector(grid.value).conjugate();
-  for (int sweep = 0; sweep < (grid.channels.size() > 1 ? kShapeSweeps : 1); ++sweep) {
-    fit.a = solve_side(grid.value, grid.weight, fit.b, fit.a_std);
-    if (grid.channels.size() == 1) break;
+  fit.a = solve_side(grid.value, grid.weight, fit.b, fit.a_std);
+  if (grid.channels.size() == 1) {  // the value of a single sensor is part of the shape's scale
+    fit.b_std = Eigen::VectorXd::Zero(1);
+    return fit;
+  }
+  for (int sweep = 0; sweep < kShapeSweeps; ++sweep) {
     fit.b = solve_side(grid.value.transpose(), grid.weight.transpose(), fit.a, fit.b_std);
     const double size = fit.b.norm();
     if (!(size > 0)) break;
     fit.b /= size;
     fit.b_std /= size;
     fit.a = solve_side(grid.value, grid.weight, fit.b, fit.a_std);
-  }
-  if (grid.channels.size() == 1) {  // the value of a single sensor is part of the shape's scale
-    fit.b_std = Eigen::VectorXd::Zero(1);
   }
   return fit;
 }

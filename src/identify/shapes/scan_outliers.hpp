@@ -21,10 +21,10 @@ struct ScanOutlier {
 /// standard deviation of the rest on average over the modes: if two points are exchanged, each disturbs the curve at
 /// the other. The variance of a deviation is a sum of four parts: the scatter of the other points about their curve (or
 /// of the hits of one point, if this is larger), the uncertainty of the curve, its change by the next degree, and the
-/// noise. A deviation below a tenth of the largest amplitude does not count. Modes with one shape along the scan (MAC
-/// above 0.9), as the two planes of a bending mode, count once. A point does not fit if its mean or one of its hits
-/// deviates by more than twelve standard deviations in two shapes. Nothing for fewer than eight points, or if all modes
-/// have one shape.
+/// noise. A deviation below a tenth of the mode's largest amplitude near the point does not count. Modes with one shape
+/// along the scan (MAC above 0.9), as the two planes of a bending mode, count once. A point does not fit if its mean or
+/// one of its hits deviates by more than twelve standard deviations in two shapes. Nothing for fewer than eight points,
+/// or if all modes have one shape.
 /// theory (5.11)
 std::vector<ScanOutlier> scan_outliers(std::span<const HitsAlongScan> modes);
 

@@ -14,7 +14,7 @@ struct DrivingPointCheck {
   Complex residue;
   double std = 0;
   bool wrong_sign = false;  // real part of the other sign by more than 3 standard deviations
-  bool right_sign = false;  // of this sign by more than 3
+  bool right_sign = false;  // real part of the driving point's sign by more than 3 standard deviations
 };
 std::vector<DrivingPointCheck> check_driving_points(const std::vector<Mode>& modes,
                                                     const std::vector<DrivingPoint>& driving);

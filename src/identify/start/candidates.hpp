@@ -16,7 +16,7 @@ struct CandidateOptions {
 std::vector<std::size_t> prominent_lines(const FrfDataset& set, const LineNoise& noise,
                                          const CandidateOptions& options = {});
 
-/// First poles from these maxima, in ascending frequency.
+/// Start values of poles, from these maxima, in ascending frequency.
 std::vector<Pole> candidate_poles(const FrfDataset& set, const LineNoise& noise, const CandidateOptions& options = {});
 
 /// A resonance on a straight background that stands out of the noise.
@@ -29,16 +29,16 @@ struct Resonance {
 /// The resonances in a residual, [channels][lines], at every width. One resonance appears at several widths.
 std::vector<Resonance> residual_resonances(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual);
 
-/// First poles of modes without a peak of their own, weak or close to a stronger mode: each resonance of the residual
-/// at its best width. The most significant first.
+/// Start values of the poles of modes without a peak of their own, weak or close to a stronger mode: each resonance of
+/// the residual at its best width. The most significant first.
 std::vector<Pole> residual_mode_poles(const FrfDataset& set, const std::vector<Eigen::VectorXcd>& residual);
 
 /// A stated frequency stands for the highest line within this part of the frequency, or within this many lines if that
 /// is more.
 inline constexpr double kStatedRange = 0.005, kStatedRangeLines = 4;
 
-/// A first pole for each stated frequency, in their order: the pole of the highest line in its range. Where another
-/// stated frequency is nearer to that pole, the result is a pole at the frequency itself.
+/// A start value of a pole for each stated frequency, in their order: the pole of the highest line in its range. Where
+/// another stated frequency is nearer to that pole, the result is a pole at the frequency itself.
 std::vector<Pole> poles_near(const FrfDataset& set, const std::vector<double>& freq_Hz);
 
 }  // namespace percuss::identify

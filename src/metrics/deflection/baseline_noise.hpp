@@ -73,7 +73,7 @@ class BaselineNoise {
   std::vector<double> log_gains_;
 };
 
-/// The strengths K that signals are compared at, in (m/s²)²; ascending.
+/// The strengths K at which signals are compared, in (m/s²)²; ascending.
 inline constexpr std::size_t kFlickerStrengths = 241;
 double flicker_strength_at(std::size_t i);
 

@@ -22,7 +22,8 @@ ClassPoints points_of(const Study& study, StudyQuantity x, StudyQuantity y, cons
   return points;
 }
 
-// States of one bat are not independent: only the first state counts. Bats of other programs are shown only.
+// States of one bat are not independent: only the first state counts. Bats of other programs are only shown, not
+// counted.
 std::vector<std::size_t> counted_of(const Study& study, const std::vector<std::size_t>& members) {
   std::vector<std::size_t> out;
   for (const std::size_t b : members) {

@@ -31,7 +31,8 @@ struct StudyBat {
   bool broken_in = false;
   const char* condition() const;  // as in tables: "new", "abi" for a composite barrel, "used" for another
   std::array<std::optional<double>, kStudyQuantities> values;
-  bool without_family = false;  // a test has modes, but none of a known family; no row states a frequency
+  // A test has modes, but none of a known family and order, and no row states a frequency.
+  bool without_family = false;
 
   std::optional<double> value(StudyQuantity quantity) const { return values.at(static_cast<std::size_t>(quantity)); }
   int length_class() const;  // whole inches

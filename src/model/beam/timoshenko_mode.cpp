@@ -27,16 +27,26 @@ struct Waves {
   double lean = 0;      // a² + g: φ' = lean·w for exponentials w
 };
 
-Waves waves_of(const UniformBeam& beam, double lambda) {
+// Rotary inertia and shear flexibility in units of the beam's length.
+struct Thickness {
+  double inertia = 0;  // ρI/(ρA L²)
+  double shear = 0;    // EI/(κGA L²)
+};
+
+Thickness thickness_of(const UniformBeam& beam) {
   const double length2 = beam.length_m * beam.length_m;
-  const double inertia = beam.gyration_m * beam.gyration_m / length2;  // ρI/(ρA L²)
-  const double shear =
-      beam.shear_stiffness_N > 0 ? beam.stiffness_Nm2 / (beam.shear_stiffness_N * length2) : 0;  // EI/(κGA L²)
+  return {.inertia = beam.gyration_m * beam.gyration_m / length2,
+          .shear = beam.shear_stiffness_N > 0 ? beam.stiffness_Nm2 / (beam.shear_stiffness_N * length2) : 0};
+}
+
+Waves waves_of(const UniformBeam& beam, double lambda) {
+  const auto [inertia, shear] = thickness_of(beam);
   const double b2 = lambda * lambda;
   const double p = 1 + b2 * (shear + inertia);
   const double w2 = 2 * b2 * b2 / (p + std::sqrt(p * p - 4 * shear * inertia * b2 * b2));  // ρA L⁴ ω²/EI by (2)
   Waves waves{.b = lambda};
-  waves.omega_radps = std::sqrt(w2) * std::sqrt(beam.stiffness_Nm2 / beam.mass_per_length_kgpm) / length2;
+  waves.omega_radps =
+      std::sqrt(w2) * std::sqrt(beam.stiffness_Nm2 / beam.mass_per_length_kgpm) / (beam.length_m * beam.length_m);
   waves.a = std::sqrt(w2 * (1 - w2 * shear * inertia) / b2);  // (3)
   waves.bend = b2 - shear * w2;
   waves.lean = waves.a * waves.a + shear * w2;
@@ -46,9 +56,7 @@ Waves waves_of(const UniformBeam& beam, double lambda) {
 // The λ at the cut-off frequency, where (3) is zero, less a relative 1e-9.
 double last_lambda(const UniformBeam& beam) {
   if (!(beam.gyration_m > 0 && beam.shear_stiffness_N > 0)) return kNoLimit;
-  const double length2 = beam.length_m * beam.length_m;
-  const double inertia = beam.gyration_m * beam.gyration_m / length2;
-  const double shear = beam.stiffness_Nm2 / (beam.shear_stiffness_N * length2);
+  const auto [inertia, shear] = thickness_of(beam);
   return (1 - 1e-9) * std::sqrt((shear + inertia) / (shear * inertia));
 }
 

@@ -31,7 +31,7 @@ struct SweepRange {
   bool at_edge = false;  // for one of the pairs, the COR is largest at an end of hoop_Hz
 };
 
-/// shapes  best: the sweep at the fit's exponents
+/// best  [hoop_Hz] the sweep at the fit's exponents
 SweepRange sweep_range(const Trampoline& model, const ExponentFit& fit, const std::vector<double>& hoop_Hz,
                        const std::vector<Rebound>& best);
 

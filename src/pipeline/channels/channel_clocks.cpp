@@ -12,7 +12,6 @@ namespace percuss::pipeline {
 namespace {
 
 constexpr std::size_t kMaxChannels = 8;         // a fit each; more channels usually share one recorder
-constexpr std::size_t kMinShared = 4;           // modes that two channels must share
 constexpr double kNear = 2;                     // half-power bandwidths between the places of one mode in two channels
 constexpr double kMinMisfit = 1e-9;             // of a frequency: two clocks differ by more; rounding leaves less
 constexpr double kMinResidual = 1e-8;           // of the FRFs: clocks that differ by kMinMisfit leave more
@@ -43,7 +42,7 @@ std::optional<ChannelClock> compare(const std::vector<identify::Mode>& first,
     excess.push_back(there->pole.freq_Hz / mode.pole.freq_Hz - 1);
     std.push_back(std::hypot(there->freq_std_Hz, mode.freq_std_Hz) / mode.pole.freq_Hz);
   }
-  if (excess.size() < kMinShared) return std::nullopt;
+  if (excess.size() < kMinClockModes) return std::nullopt;
   const RobustSlope slope = robust_slope(std::vector<double>(excess.size(), 1.0), excess, std);
   return ChannelClock{.excess = slope.slope, .std = slope.std, .modes = excess.size(), .log_chance = slope.log_chance};
 }
@@ -68,7 +67,7 @@ bool ChannelClock::established() const { return log_chance < kMaxLogChance && st
 std::vector<ChannelClock> channel_clocks(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
                                          std::size_t channels) {
   std::vector<ChannelClock> out;
-  if (channels < 2 || channels > kMaxChannels || modes.size() < kMinShared || !may_differ(modes)) return out;
+  if (channels < 2 || channels > kMaxChannels || modes.size() < kMinClockModes || !may_differ(modes)) return out;
   std::vector<std::vector<identify::Mode>> alone(channels);
   parallel_for_cost(channels, kFitFlops, [&](std::size_t c) {
     alone[c] = identify::identify_modes(only(set, c), {.effort = identify::Effort::quick});

@@ -7,6 +7,9 @@
 
 namespace percuss::pipeline {
 
+/// Two channels must share at least this many modes.
+inline constexpr std::size_t kMinClockModes = 4;
+
 /// The frequencies of the modes in a channel, against their frequencies in the first channel.
 struct ChannelClock {
   std::size_t channel = 0;

@@ -14,7 +14,7 @@ struct ChannelFindings {
   std::vector<ChannelDelay> corrected_delays;  // that were taken out: stated, or established by the phases
   std::vector<ChannelClock> clocks;
   std::vector<ChannelPair> pairs;
-  double largest_velocity_mps = 0;
+  double largest_velocity_mps = 0;  // that a mode has just after a hit; 0: the force is unknown
 };
 
 }  // namespace percuss::pipeline

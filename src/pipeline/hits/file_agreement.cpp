@@ -15,7 +15,8 @@ struct Energy {
 
 using Members = std::vector<std::size_t>;  // hits
 
-Energy compare(const Members& own, const Members& others, const std::vector<HitSpectra>& spectra, std::size_t channel) {
+Energy compare(const Members& own, const Members& others, const std::vector<ComparedHit>& spectra,
+               std::size_t channel) {
   Energy energy;
   for (std::size_t k = 0; k < spectra[own.front()].force.size(); ++k) {
     Complex cross;
@@ -60,7 +61,7 @@ std::optional<FileDisagreement> file_of_outliers(const acquire::Record& record, 
 }  // namespace
 
 std::optional<FileDisagreement> disagreeing_file(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
-                                                 const std::vector<HitSpectra>& spectra) {
+                                                 const std::vector<ComparedHit>& spectra) {
   if (const auto outliers = file_of_outliers(record, hits)) return outliers;
   std::map<int, std::map<std::size_t, Members>> points;  // by point and file
   for (std::size_t h = 0; h < hits.size(); ++h) {

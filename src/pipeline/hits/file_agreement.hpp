@@ -20,6 +20,6 @@ struct FileDisagreement {
 /// each with less than half of its energy explained by the other hits.
 /// Nothing where no two files share a point.
 std::optional<FileDisagreement> disagreeing_file(const acquire::Record& record, const std::vector<AnalysedHit>& hits,
-                                                 const std::vector<HitSpectra>& spectra);
+                                                 const std::vector<ComparedHit>& spectra);
 
 }  // namespace percuss::pipeline

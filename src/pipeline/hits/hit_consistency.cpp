@@ -29,7 +29,7 @@ std::vector<std::size_t> without(std::vector<std::size_t> members, std::size_t i
 }
 
 // The fraction of each member's response that the others do not explain; empty for a single hit.
-std::vector<double> unexplained(const std::vector<HitSpectra>& spectra, const std::vector<std::size_t>& members) {
+std::vector<double> unexplained(const std::vector<ComparedHit>& spectra, const std::vector<std::size_t>& members) {
   std::vector<std::span<const Complex>> force;
   std::vector<std::vector<std::span<const Complex>>> accel;
   for (const std::size_t h : members) {
@@ -61,7 +61,7 @@ bool is_outlier(double error, double typical) { return error > std::max(kOutlier
 
 // The member without which the others agree best. A strong wrong hit dominates the FRFs that explain the
 // others, so that the largest error may belong to another hit.
-std::size_t odd_one(const std::vector<HitSpectra>& spectra, const std::vector<std::size_t>& members) {
+std::size_t odd_one(const std::vector<ComparedHit>& spectra, const std::vector<std::size_t>& members) {
   std::size_t odd = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < members.size(); ++i) {
@@ -75,8 +75,8 @@ std::size_t odd_one(const std::vector<HitSpectra>& spectra, const std::vector<st
 
 // Of three hits, the one that the other two contradict while they agree with each other; nothing where no two agree.
 // Two wrong hits may agree, so the third is named and not rejected. `errors` become those of the pair.
-std::optional<std::size_t> odd_of_three(const std::vector<HitSpectra>& spectra, const std::vector<std::size_t>& members,
-                                        std::vector<double>& errors) {
+std::optional<std::size_t> odd_of_three(const std::vector<ComparedHit>& spectra,
+                                        const std::vector<std::size_t>& members, std::vector<double>& errors) {
   if (members.size() != 3 || *std::max_element(errors.begin(), errors.end()) <= kOutlierEnergy) return std::nullopt;
   const std::size_t odd = odd_one(spectra, members);
   const std::vector<double> pair = unexplained(spectra, without(members, odd));
@@ -87,7 +87,7 @@ std::optional<std::size_t> odd_of_three(const std::vector<HitSpectra>& spectra, 
   return odd;
 }
 
-void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra,
+void grade_point(std::vector<AnalysedHit>& hits, const std::vector<ComparedHit>& spectra,
                  std::vector<std::size_t> members, const std::vector<acquire::RowInfo>& rows) {
   std::vector<double> errors = unexplained(spectra, members);
   while (members.size() >= kMinHitsToFindOutlier) {
@@ -123,9 +123,9 @@ void grade_point(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& 
 
 }  // namespace
 
-std::vector<HitSpectra> spectra_of_hits(const std::vector<AnalysedHit>& hits, const std::vector<frf::Spectrum>& force,
-                                        const HitResponses& responses, std::size_t lines) {
-  std::vector<HitSpectra> spectra(hits.size());
+std::vector<ComparedHit> spectra_of_hits(const std::vector<AnalysedHit>& hits, const std::vector<frf::Spectrum>& force,
+                                         const HitResponses& responses, std::size_t lines) {
+  std::vector<ComparedHit> spectra(hits.size());
   for (const std::size_t h : accepted_hits(hits)) {
     spectra[h].force = {force[h].get(), lines};
     for (const HitResponse& response : responses.of[h]) spectra[h].accel.push_back(response.spectrum);
@@ -148,7 +148,7 @@ bool may_be_several_tests(const std::vector<acquire::RowInfo>& rows, const std::
   return points.size() == 1 || points_of_files.size() > 1;
 }
 
-void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<HitSpectra>& spectra,
+void grade_agreement(std::vector<AnalysedHit>& hits, const std::vector<ComparedHit>& spectra,
                      const std::vector<acquire::RowInfo>& rows) {
   std::map<int, std::vector<std::size_t>> points;
   for (std::size_t h = 0; h < hits.size(); ++h) {

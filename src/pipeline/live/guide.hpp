@@ -112,7 +112,7 @@ class Guide {
   BlowCircumstances circumstances(const Window& window) const;
   /// Measures the motion before a blow, and keeps the smallest of each response: its noise.
   void note_rest(const Window& window);
-  void apply_commands(bool last);
+  void apply_commands(bool at_once);
   void log_and_apply(const SessionEvent& event);
   bool repeat_past(const SessionEvent& blow);
   void check_goals();

@@ -54,11 +54,11 @@ void Guide::command(SessionEvent::Kind kind, int point) {
   apply_commands(!started_ || (kind == Kind::finish && asked_before));
 }
 
-void Guide::apply_commands(bool last) {
+void Guide::apply_commands(bool at_once) {
   while (!commands_.empty()) {
     const SessionEvent event = commands_.front();
     const bool blow_before = !windows_.empty() && windows_.front().event.first < event.frame;
-    if (!last && (blow_before || !all_known_before(event.frame))) return;
+    if (!at_once && (blow_before || !all_known_before(event.frame))) return;
     commands_.pop_front();
     const std::size_t before = session_.accepted();
     session_.apply(event);

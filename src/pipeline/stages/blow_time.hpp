@@ -7,7 +7,8 @@
 
 namespace percuss::pipeline {
 
-/// A mode rings at the end of the records if more than this part of its amplitude remains: after six time constants.
+/// A mode rings at the end of the records if more than this part of its amplitude remains there; six time constants
+/// leave this part.
 inline constexpr double kRingingAmplitude = 0.0025;
 
 /// The time from the beginning of the records to the blow, s, from given FRFs whose records end while modes still

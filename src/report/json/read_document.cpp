@@ -118,9 +118,9 @@ bool has_one_per_point(const std::vector<identify::Residue>& residues) {
   return points.size() >= metrics::kMinPlaces && points.size() == residues.size();
 }
 
-// The shape at its places (point, channel): over the points if there are enough of them, with channel -1, since each
-// sensor shows the same shape, with a factor of its own. Otherwise, and with a roving sensor of several directions,
-// each channel of a point is a place.
+// The shape at its places (point, channel). If there are enough points, each point is a place, with kEverySensor as its
+// channel: every sensor shows the same shape, times a factor of its own. Otherwise, and with a roving sensor of several
+// directions, each channel of a point is a place.
 std::map<std::pair<int, int>, metrics::ComparedMode::Component> shape_of(const identify::Mode& mode,
                                                                          identify::Roving roving) {
   std::map<std::pair<int, int>, metrics::ComparedMode::Component> out;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <utility>
 
 #include "report/text/analysis_tables.hpp"
 

@@ -22,7 +22,7 @@ std::vector<double> row(double noise_N = kNoise_N) {
 }
 
 std::vector<double> coupled_row(double corner_Hz) {
-  std::vector<double> pulse(12800), noise(12800);
+  std::vector<double> pulse(12800);
   test::add_filtered_haversine(pulse, 500.3, 8, kPeak_N);
   std::vector<double> x = test::ac_coupled(pulse, kFs_Hz / (2 * std::numbers::pi * corner_Hz));
   test::add_noise(x, kNoise_N, 3);

@@ -220,8 +220,8 @@ TEST(CaptureStream, JournalsWhatIsAskedAfterTheDeviceHasEnded) {
   EXPECT_EQ(wrong_numbers(journal), 0U);
 }
 
-// The reader stalls for ten seconds of 8 channels at 51.2 kHz, played faster. The ring holds 4 s of them; the rest is
-// read back from the journal. The stress tests do the same in real time.
+// The reader stalls while the device delivers ten seconds of 8 channels at 51.2 kHz, at kSpeed times real time. The
+// ring holds 4 s of them; the rest is read back from the journal. The stress tests do the same in real time.
 TEST(CaptureStream, LosesNothingWhileTheReaderStalls) {
   const ScratchFolder folder;
   const std::string path = folder.file("t.h5.journal");

@@ -60,7 +60,8 @@ TEST(StatedDate, IsTheTimeOfTheStart) {
   EXPECT_EQ(stated_date("Recorded on: 14 Mar 2026\n"), "14 Mar 2026");
 }
 
-// Names of columns, durations and numbers follow these words, too.
+// Words such as Datum or Start time may also precede names of columns, durations or numbers; only a calendar date
+// counts.
 TEST(StatedDate, IsACalendarDateAfterOtherWords) {
   for (const char* const other :
        {"Datum;Uhrzeit;Kanal 1;Kanal 2;Kanal 3\n", "Startzeit;09:12:05\n", "Start time,09:12:05.250\n",

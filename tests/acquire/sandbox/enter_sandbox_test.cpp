@@ -174,9 +174,9 @@ TEST_F(EnterSandbox, ClosesDescriptorsOfTheParent) {
 
 // A reader hands over its numbers in shared memory. Other readers must not inherit this memory.
 TEST_F(EnterSandbox, DoesNotInheritTheNumbersOfOtherReaders) {
-  const auto maps = [](const std::string& of) {
+  const auto maps = [] {
     std::size_t count = 0;
-    std::ifstream lines("/proc/" + of + "/maps");
+    std::ifstream lines("/proc/self/maps");
     for (std::string line; std::getline(lines, line);)
       count += line.find("memfd:percuss") != std::string::npos ? 1U : 0U;
     return count;
@@ -184,17 +184,17 @@ TEST_F(EnterSandbox, DoesNotInheritTheNumbersOfOtherReaders) {
   if (!test::has_seccomp()) return;
   const SandboxProcess first(path_, [] { return SandboxService{.description = "d", .read = {}}; });
   const pid_t other = ::fork();
-  if (other == 0) ::_exit(static_cast<int>(maps("self")));
+  if (other == 0) ::_exit(static_cast<int>(maps()));
   int status = -1;
   ::waitpid(other, &status, 0);
   EXPECT_EQ(WEXITSTATUS(status), 0);
   if (std::filesystem::exists("/proc/self/maps")) {
-    EXPECT_EQ(maps("self"), 1U);
+    EXPECT_EQ(maps(), 1U);
   }
 }
 
 TEST_F(EnterSandbox, ChangesNeitherFilesNorItsLimits) {
-  const auto file_of_own = [&](const auto& attempt) { return attempt(::open(path_.c_str(), O_RDONLY)); };
+  const auto with_own_file = [&](const auto& attempt) { return attempt(::open(path_.c_str(), O_RDONLY)); };
   rlimit unlimited{RLIM_INFINITY, RLIM_INFINITY};
   expect_none({{"unlink", [&] { return ::unlink(other_.c_str()); }},
                {"rename", [&] { return ::rename(other_.c_str(), path_.c_str()); }},
@@ -211,9 +211,9 @@ TEST_F(EnterSandbox, ChangesNeitherFilesNorItsLimits) {
                 }},
                {"shared memory", [] { return map(PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1); }},
                {"shared map of the file",
-                [&] { return file_of_own([](int file) { return map(PROT_READ, MAP_SHARED, file); }); }},
+                [&] { return with_own_file([](int file) { return map(PROT_READ, MAP_SHARED, file); }); }},
                {"exclusive lock of the file",
-                [&] { return file_of_own([](int file) { return ::flock(file, LOCK_EX | LOCK_NB); }); }},
+                [&] { return with_own_file([](int file) { return ::flock(file, LOCK_EX | LOCK_NB); }); }},
                {"memfd_create", [] { return call(SYS_memfd_create, "x", 0); }},
                {"setrlimit", [&] { return call(SYS_prlimit64, 0, RLIMIT_CPU, &unlimited, nullptr); }},
                {"prctl", [] { return call(SYS_prctl, 3 /* PR_GET_DUMPABLE */, 0L, 0L, 0L, 0L); }},

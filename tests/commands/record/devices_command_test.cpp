@@ -15,7 +15,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 // The null device asks for buffers of a gigabyte. Marking each byte of them takes the address sanitizer minutes.
-constexpr const char* kSanitizer = "ASAN_OPTIONS=poison_heap=0";
+constexpr const char* kNoHeapPoisoning = "ASAN_OPTIONS=poison_heap=0";
 
 /// Runs percuss devices with a configuration of ALSA, or with the machine's.
 ProcessOutcome devices(const std::string& configuration, const std::vector<std::string>& arguments = {}) {
@@ -24,7 +24,8 @@ ProcessOutcome devices(const std::string& configuration, const std::vector<std::
   words.insert(words.end(), arguments.begin(), arguments.end());
   if (configuration.empty()) return test::run_percuss(words);
   test::write_bytes(folder.file("asound.conf"), configuration);
-  return test::run_percuss(words, {.environment = {kSanitizer, "ALSA_CONFIG_PATH=" + folder.file("asound.conf")}});
+  return test::run_percuss(words,
+                           {.environment = {kNoHeapPoisoning, "ALSA_CONFIG_PATH=" + folder.file("asound.conf")}});
 }
 
 TEST(DevicesCommand, ListsInputs) {

@@ -54,7 +54,7 @@ TEST(RecordFiles, ChecksItsFilesBeforeItBegins) {
   EXPECT_THAT(refusal("t.h5", {"--report", "folder.html", "--force"}), HasSubstr("is a folder (folder.html)"));
   EXPECT_THAT(refusal("t.h5", {"--report", "none/r.html"}), HasSubstr("create the folder first"));
   EXPECT_THAT(refusal("t.h5", {"--report", std::string(300, 'r') + ".html"}), HasSubstr("File name too long"));
-  // The remedy for the link.
+  // --force, which the message about the link names, replaces the link.
   EXPECT_EQ(bench.run({"record", "--device", "sim:aluminium-bat", "--fast", "-o", "link.h5", "--force"}).code, 0);
   EXPECT_TRUE(bench.has("link.h5"));
 }

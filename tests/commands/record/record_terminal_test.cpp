@@ -91,8 +91,8 @@ TEST(RecordTerminal, IsRestoredAfterSignals) {
   EXPECT_TRUE(std::filesystem::exists(terminal.file("t.h5.journal")));
 }
 
-// SIGTSTP is the signal of Ctrl-Z. This process leads the session of its terminal. SIGTSTP therefore runs its handlers,
-// but does not stop it. SIGSTOP and SIGCONT then stop and continue it.
+// SIGTSTP is the signal of Ctrl-Z. Here percuss leads the session of its terminal, so SIGTSTP runs its handlers but
+// does not stop it. SIGSTOP and SIGCONT then stop and continue it.
 TEST(RecordTerminal, GoesOnAfterAStop) {
   Terminal terminal("sim:aluminium-bat,hits=40,speed=4", {"--hits", "30"});
   EXPECT_TRUE(terminal.shows("Blow 1 of 30: accepted"));

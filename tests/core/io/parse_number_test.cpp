@@ -38,7 +38,7 @@ TEST(ParseNumber, AcceptsADecimalCommaOnlyWhenRequested) {
   EXPECT_EQ(problem_of("1.234,5", true), NumberProblem::not_a_number);
 }
 
-TEST(ParseNumber, RejectsTrailingText) {
+TEST(ParseNumber, RejectsTextsThatAreNotNumbers) {
   for (const char* cell : {"1.5x", "1 2", "--1", "+-1", "1e", "0x10", "x", "-", ".", "1,5,5", "16:34:01", "\"", "D5"}) {
     EXPECT_EQ(problem_of(cell), NumberProblem::not_a_number) << cell;
   }

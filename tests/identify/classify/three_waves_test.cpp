@@ -18,7 +18,7 @@ struct Tube {
   std::vector<Mode> modes;
   std::vector<ModeClassification> types;
 
-  // Modes in ascending frequency.
+  // To be called in ascending order of frequency.
   void add(double freq_Hz, ModeType type, int order, double confidence = 0.9995) {
     modes.push_back({.pole = {freq_Hz, 0.004}});
     types.push_back({.type = type, .order = order, .confidence = confidence});

@@ -13,6 +13,7 @@ namespace percuss::identify::companion_decays_test {
 
 constexpr double kFs_Hz = 1000;
 constexpr std::size_t kSamples = 8192;
+constexpr double kNoise = 0.01;
 constexpr std::pair<double, double> kBand_Hz{5, 450};
 const std::vector<double> kShape{1, 0.4, -0.8, 0.6}, kOtherShape{0.5, -1, 0.7, 0.3};
 
@@ -21,7 +22,7 @@ struct Motion {
   std::vector<double> shape;  // [channels]
 };
 
-DecayResults found_in(const std::vector<Motion>& motions, double noise = 0.01) {
+DecayResults found_in(const std::vector<Motion>& motions) {
   std::mt19937 random(3);
   std::normal_distribution<double> gauss;
   const std::size_t channels = motions.front().shape.size();
@@ -30,7 +31,7 @@ DecayResults found_in(const std::vector<Motion>& motions, double noise = 0.01) {
     std::vector<double> y(kSamples);
     for (std::size_t n = 0; n < kSamples; ++n) {
       for (const Motion& motion : motions) y[n] += motion.shape[c] * motion.value[n];
-      y[n] += noise * gauss(random);
+      y[n] += kNoise * gauss(random);
     }
     out.response.push_back(std::move(y));
   }

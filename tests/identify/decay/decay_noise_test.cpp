@@ -60,7 +60,8 @@ TEST(DecayNoise, IsSmoothOverAnOctave) {
   const Eigen::VectorXd white = mean_noise_std(0);
   for (Eigen::Index k = 200; k < white.size(); k += 100) EXPECT_NEAR(white(k), 1, kNoiseOfMean) << k;
   const Eigen::VectorXd falling = mean_noise_std(0.995);
-  // The average over an octave changes noise that falls with the frequency squared by the same factor at k and 2k.
+  // If the power of the noise falls with the square of the frequency, the average over an octave changes it by one
+  // factor, the same at k and at 2k.
   for (const Eigen::Index k : {400, 800, 1600})
     EXPECT_NEAR(falling(2 * k) / falling(k),
                 std::sqrt(variance_of_line(0.995, 2.0 * static_cast<double>(k)) /

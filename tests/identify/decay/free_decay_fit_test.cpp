@@ -162,7 +162,8 @@ TEST(FreeDecays, ReachTheCramerRaoBoundWithTrueStandardDeviations) {
   constexpr unsigned kSeeds = 60;
   const Eigen::MatrixXd lowest = bound(kNoise);
   std::size_t other_counts = 0, within = 0, values = 0;
-  std::vector<double> of_bound(2 * truth().size()), stated(2 * truth().size());
+  // Sums of squares relative to the bound.
+  std::vector<double> error_squares(2 * truth().size()), stated_squares(2 * truth().size());
   std::vector<double> sum(2 * truth().size());
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
     const DecayResults found = found_in(kNoise, seed);
@@ -180,9 +181,9 @@ TEST(FreeDecays, ReachTheCramerRaoBoundWithTrueStandardDeviations) {
       const std::array<double, 2> std{mode.damping_std, mode.freq_std_Hz};
       const std::array<double, 2> least{std::sqrt(lowest(at, at)) / omega, std::sqrt(lowest(at + 1, at + 1)) / kTwoPi};
       for (std::size_t u = 0; u < 2; ++u) {
-        of_bound[2 * m + u] += std::pow(error.at(u) / least.at(u), 2);
+        error_squares[2 * m + u] += std::pow(error.at(u) / least.at(u), 2);
         sum[2 * m + u] += error.at(u) / least.at(u);
-        stated[2 * m + u] += std::pow(std.at(u) / least.at(u), 2);
+        stated_squares[2 * m + u] += std::pow(std.at(u) / least.at(u), 2);
         within += std::abs(error.at(u)) < 1.96 * std.at(u) ? 1U : 0U;
         ++values;
       }
@@ -190,12 +191,12 @@ TEST(FreeDecays, ReachTheCramerRaoBoundWithTrueStandardDeviations) {
   }
   EXPECT_LE(other_counts, 1U);  // a false decay is expected once in 1000 searches
   const double count = kSeeds - static_cast<double>(other_counts);
-  for (std::size_t u = 0; u < of_bound.size(); ++u) {
+  for (std::size_t u = 0; u < error_squares.size(); ++u) {
     // 60 seeds give an RMS to 9 % and a mean to 0.13 standard deviations. The first two tolerances are four times as
     // large; the stated standard deviations vary less.
-    EXPECT_NEAR(std::sqrt(of_bound[u] / count), 1, 0.37) << u;
+    EXPECT_NEAR(std::sqrt(error_squares[u] / count), 1, 0.37) << u;
     EXPECT_NEAR(sum[u] / count, 0, 0.52) << u;
-    EXPECT_NEAR(std::sqrt(stated[u] / count), 1, 0.1) << u;
+    EXPECT_NEAR(std::sqrt(stated_squares[u] / count), 1, 0.1) << u;
   }
   const double covered = static_cast<double>(within) / static_cast<double>(values);
   EXPECT_GE(covered, 0.92);  // 480 values give the share to 1 %

@@ -8,7 +8,6 @@
 
 namespace percuss::identify::local_fit_test {
 
-using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 const std::vector<Complex> kResidues{{0.8, 0.1}, {-0.3, 0.02}};

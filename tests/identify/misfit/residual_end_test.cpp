@@ -46,13 +46,8 @@ TEST(GrowingEnd, IsNoneWhereTheLinesIncludeTheMode) {
   }
 }
 
-// Forty components from 500 to 503.9 Hz stand for a mode whose frequency changes during the decay.
 TEST(GrowingEnd, IsNoneWhereAModeItselfMisfits) {
-  FrfDataset set = test::empty_set(4096, 32768, 250, 650, 1);
-  for (int part = 0; part < 40; ++part)
-    test::add_mode(set, 0, {500 + 0.1 * part, 0.01}, Complex(0.02, part % 3 == 0 ? 0.01 : 0));
-  test::add_mode(set, 0, {320, 0.008}, Complex(0.5, 0.2));
-  test::add_frf_noise(set, 1e-3, 4);
+  const FrfDataset set = test::frfs_of_changing_mode();
   EXPECT_EQ(growing_end_Hz(set, modes_from_frequencies(set, {320, 502}, Effort::best), 502), std::nullopt);
 }
 

@@ -126,8 +126,9 @@ TEST(GainAmplitude, HoldsNearlyAllOfTheErrorAtLowFrequencies) {
   EXPECT_GT(gain_amplitude_std(set, 0, low_Hz), 1.38 * gain_std(set, 0, low_Hz));
 }
 
-// Four hits, of which the second has a gate in two parts: around the pulse, and around a second contact 420 samples
-// later. All samples within the parts carry noise, as measured ones do.
+// Four hits, of which the second has a gate in two parts: around the pulse, and around a second contact. The second
+// part begins kLater = 420 samples after the first; its contact is 391 samples after the pulse. All samples within the
+// parts carry noise, as measured ones do.
 constexpr std::size_t kGate = 90, kLater = 420, kContact = 30;
 
 std::vector<frf::ForceBlock> hits_with_second_contact() {
@@ -163,7 +164,8 @@ Eigen::VectorXcd h1_error(const FrfDataset& set, const std::vector<Eigen::Index>
   return error;
 }
 
-// The noise of a second contact changes H1 as fast over frequency as the contact is late, but only by its hit's part.
+// The noise of a second contact gives H1 an error that varies over frequency the faster, the later the contact is, and
+// whose size is the share of its hit.
 TEST(GainErrors, HoldTheNoiseOfASecondContactAtItsDelay) {
   FrfDataset set = gated_hit();
   std::vector<frf::Spectrum> spectra;

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
-#include <numbers>
 #include <random>
 #include <utility>
 #include <vector>
@@ -36,7 +34,6 @@ double amplitude(std::size_t mode, double x_m) {
       return std::cos(7.5 * u);
   }
 }
-constexpr std::size_t kModes = 4;
 
 // Where each hit lands, [points][hits].
 using Places = std::vector<std::vector<double>>;

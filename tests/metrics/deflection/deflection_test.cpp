@@ -24,8 +24,8 @@ constexpr double kFreq_Hz = 14.5, kDamping = 0.012, kResidue_per_kg = 2, kForce_
 
 identify::Pole pole() { return {.freq_Hz = kFreq_Hz, .damping_ratio = kDamping}; }
 
-// The response x'' + 2ζωx' + ω²x = A·F sin(πt/T) to a sine that starts at t = 0. Two such sines, T apart, add up to a
-// half sine.
+// The solution of x'' + 2ζωx' + ω²x = A·F sin(πt/T), for a sine that starts at t = 0. Two such sines, T apart, add up
+// to a half sine.
 struct State {
   double x = 0, v = 0, a = 0;
 };
@@ -217,7 +217,8 @@ TEST(Deflection, FromModesSaysThatItLeavesOutRigidBodyMotion) {
   EXPECT_FALSE(deflection_of(signal, {.method = DeflectionMethod::modal}).rigid_motion_left_out);
 }
 
-// A bat hung on rubber bands is free for a part of their period alone; afterwards they pull it back.
+// A bat hung on rubber bands moves freely only during a part of the suspension's period; afterwards the bands pull it
+// back.
 TEST(Deflection, FromModesContradictsAFreeBodyThatASuspensionPullsBack) {
   constexpr double kFs_Hz = 12800, kMass_kg = 0.25;
   constexpr std::size_t kSamples = 7680;  // 0.6 s

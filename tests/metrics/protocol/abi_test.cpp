@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "support/input_error.hpp"
 #include "synth/random_stream.hpp"

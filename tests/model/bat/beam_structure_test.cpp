@@ -28,7 +28,7 @@ BeamStructure rectangle(double length_m, double width_m, double thickness_m) {
           .slender = true};
 }
 
-// Whether `equation` in the frequency changes its sign within ± kElementError of f: f is a root of it.
+// Expects that `equation` changes its sign within ± kElementError of f_Hz: f_Hz is a root of it.
 void expect_root(double f_Hz, const std::function<double(double)>& equation, const char* what) {
   EXPECT_NE(std::signbit(equation(f_Hz * (1 - kElementError))), std::signbit(equation(f_Hz * (1 + kElementError))))
       << what << " " << f_Hz;
@@ -45,7 +45,8 @@ double determinant(const Eigen::Matrix4d& m) {
 //   w′ = ∓κ x^(−(n+1)/2) C_(n+1), w″ = κ² x^(−(n+2)/2) C_(n+2), (x^(n+2) w″)′ = ±κ³ x^((n+1)/2) C_(n+1)
 class Tapered {
  public:
-  Tapered(int n, double near_m, double far_m, double square) : n_(n), near_m_(near_m), far_m_(far_m), square_(square) {}
+  Tapered(int n, double near_m, double far_m, double mass_over_stiffness)
+      : n_(n), near_m_(near_m), far_m_(far_m), mass_over_stiffness_(mass_over_stiffness) {}
 
   double clamped_at_the_thick_end(double f_Hz) const {
     Eigen::Matrix4d m;
@@ -61,15 +62,15 @@ class Tapered {
  private:
   // what: 0 deflection, 1 slope, 2 moment, 3 shear force, without common factors.
   Eigen::RowVector4d row(double f_Hz, double x, int what) const {
-    const double kappa = std::pow(square_, 0.25) * std::sqrt(2 * pi * f_Hz), z = 2 * kappa * std::sqrt(x);
+    const double kappa = std::pow(mass_over_stiffness_, 0.25) * std::sqrt(2 * pi * f_Hz), z = 2 * kappa * std::sqrt(x);
     const double order = n_ + (what == 0 ? 0 : what == 2 ? 2 : 1);
-    const double plus = what == 1 ? -1 : 1;  // sign for J and Y, opposite to the sign for I in the slope
+    const double plus = what == 1 ? -1 : 1;  // sign for J and Y; in the slope it is opposite to the sign for I
     return {plus * std::cyl_bessel_j(order, z), plus * std::cyl_neumann(order, z), std::cyl_bessel_i(order, z),
             (what == 1 || what == 3 ? -1 : 1) * std::cyl_bessel_k(order, z)};
   }
 
   int n_;
-  double near_m_, far_m_, square_;  // ρA/EI at x = 1
+  double near_m_, far_m_, mass_over_stiffness_;  // ρA/EI at x = 1
 };
 
 // Points along a beam from its thick end, 0.5 m from the virtual tip, to a distance of 0.1 m from the tip.

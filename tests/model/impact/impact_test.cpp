@@ -1,6 +1,5 @@
 #include "model/impact/impact.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

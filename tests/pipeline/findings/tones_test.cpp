@@ -22,7 +22,8 @@ const std::vector<Harmonic> kHarmonics{{1, 3}, {2, 0.5}, {3, 1}, {5, 0.5}, {6, 0
 // The deviation of a harmonic's phase from a steady one, in turns.
 using Wander = std::function<double(double order, std::size_t n)>;
 
-// Five hits with hum, and with modes at 120 and 310 Hz that still ring when the samples end: each is near a harmonic.
+// Five hits with hum, and with modes at 120 and 310 Hz that still ring when the samples end, 20 and 10 Hz from the
+// nearest harmonic.
 std::vector<std::vector<double>> hits_in_hum(const Wander& wander) {
   std::mt19937 random(7);
   std::normal_distribution<double> gauss;

@@ -26,7 +26,7 @@ class HitAgreement : public testing::Test {
   }
   static Complex frf(std::size_t k) { return std::polar(2.0, 0.1 * static_cast<double>(k)); }
   void grade() {
-    std::vector<HitSpectra> spectra;
+    std::vector<ComparedHit> spectra;
     for (std::size_t h = 0; h < hits_.size(); ++h) spectra.push_back({.force = force_[h], .accel = {accel_[h]}});
     grade_agreement(hits_, spectra);
   }
@@ -127,7 +127,7 @@ TEST_F(HitAgreement, SuggestsToRejectAHitOrToSeparateFiles) {
     make(3, 0.01);
     for (std::size_t h = 0; h < 3; ++h) hits_[h].hit.row = h;
     for (Complex& line : accel_[2]) line *= -1;
-    std::vector<HitSpectra> spectra;
+    std::vector<ComparedHit> spectra;
     for (std::size_t h = 0; h < hits_.size(); ++h) spectra.push_back({.force = force_[h], .accel = {accel_[h]}});
     grade_agreement(hits_, spectra, rows);
     return found(2, acquire::FindingCode::low_coherence)->options.at(0);

@@ -72,7 +72,7 @@ std::size_t peak_of(const acquire::Record& record, std::size_t row) { return acq
 class HitGaps : public testing::TestWithParam<std::size_t> {};
 INSTANTIATE_TEST_SUITE_P(Lost, HitGaps, testing::Values(1, 4, 30));
 
-// Samples lost early, amid and late in the decays, and before a blow.
+// Samples lost early, in the middle and late in the decays, and before a blow.
 TEST_P(HitGaps, DoNotChangeTheModes) {
   const acquire::Record record = bat();
   const std::size_t count = GetParam(), end = record.rows[0].samples;
@@ -91,7 +91,7 @@ TEST_P(HitGaps, DoNotChangeTheModes) {
 }
 
 // A straight line through an oscillation is far from it: without the prediction, the modes would be off.
-TEST(HitGapsOfARecord, TakeTheirPlaceAsPredicted) {
+TEST(HitGapsOfARecord, AreFilledWithPredictedSamples) {
   const acquire::Record record = bat();
   const std::size_t first = peak_of(record, 0) + 600;
   const acquire::Record damaged = with_gaps(record, {{.row = 0, .first = first, .count = 20}});

@@ -168,7 +168,7 @@ TEST(SessionState, AcceptsFewerBlowsThatSuffice) {
   strike(session, 3);
   session.apply({.kind = Kind::enough});
   EXPECT_EQ(session.point(), 1);
-  session.apply({.kind = Kind::enough});  // but not none
+  session.apply({.kind = Kind::enough});  // ignored at a point without blows
   EXPECT_FALSE(session.finished());
 }
 

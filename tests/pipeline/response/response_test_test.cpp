@@ -87,6 +87,12 @@ TEST(ResponseTest, StatesTrueStandardDeviationsInNoise) {
   }
 }
 
+const Warning* warning_of(const ResponseTest& test, const std::string& code) {
+  const auto found = std::find_if(test.warnings.begin(), test.warnings.end(),
+                                  [&](const Warning& warning) { return warning.code == code; });
+  return found == test.warnings.end() ? nullptr : &*found;
+}
+
 // One long row with several hits, as an audio recorder writes it.
 TEST(ResponseTest, FindsTheHitsOfAContinuousRecord) {
   const std::vector<double> onsets_s{0.3, 1.4, 2.2};
@@ -102,10 +108,7 @@ TEST(ResponseTest, FindsTheHitsOfAContinuousRecord) {
 // the pairs that count as one mode get the warning. In the other ones, the second mode counts as misfit of the first,
 // without a warning. Rounding may decide between the two cases.
 TEST(ResponseTest, SaysWhereItCannotTellAPairFromScatter) {
-  const auto warned = [](const ResponseTest& test) {
-    return std::any_of(test.warnings.begin(), test.warnings.end(),
-                       [](const auto& one) { return one.code == "pair_or_scatter"; });
-  };
+  const auto warned = [](const ResponseTest& test) { return warning_of(test, "pair_or_scatter") != nullptr; };
   constexpr double kDamping = 0.01, kFreq_Hz = 500;  // half-power bandwidth 10 Hz
   const auto test_of = [&](double apart_Hz, double scatter_Hz, unsigned seed) {
     std::mt19937 random(seed);
@@ -227,18 +230,13 @@ TEST(ResponseTest, TakesAFrequencyThatChangesDuringTheDecayForOneMode) {
 
 TEST(ResponseTest, SaysWhatNeedsAForce) {
   const ResponseTest test = analyse_responses(rows(1), {});
-  const auto found = std::find_if(test.warnings.begin(), test.warnings.end(),
-                                  [](const Warning& warning) { return warning.code == "no_force"; });
-  ASSERT_NE(found, test.warnings.end());
+  const Warning* const found = warning_of(test, "no_force");
+  ASSERT_NE(found, nullptr);
   EXPECT_THAT(found->message, testing::HasSubstr("1/kg"));
 }
 
 TEST(ResponseTest, NamesAHammerAmongTheResponses) {
-  const auto said = [](const std::vector<Warning>& warnings) {
-    return std::any_of(warnings.begin(), warnings.end(),
-                       [](const Warning& warning) { return warning.code == "hammer_as_response"; });
-  };
-  EXPECT_FALSE(said(analyse_responses(rows(1), {}).warnings));
+  EXPECT_EQ(warning_of(analyse_responses(rows(1), {}), "hammer_as_response"), nullptr);
   std::vector<std::vector<std::vector<double>>> signals;
   for (const double scale : {100.0, 70.0, -120.0}) {
     add_hit(0.05 + 1e-5 * scale, scale, signals.emplace_back(2, std::vector<double>(8192)));
@@ -249,13 +247,9 @@ TEST(ResponseTest, NamesAHammerAmongTheResponses) {
     }
     signals.back().push_back(std::move(force));
   }
-  EXPECT_TRUE(said(analyse_responses(test::response_record(kFs_Hz, std::move(signals), 0.01, false), {}).warnings));
-}
-
-const Warning* warning_of(const ResponseTest& test, const std::string& code) {
-  const auto found = std::find_if(test.warnings.begin(), test.warnings.end(),
-                                  [&](const Warning& warning) { return warning.code == code; });
-  return found == test.warnings.end() ? nullptr : &*found;
+  EXPECT_NE(warning_of(analyse_responses(test::response_record(kFs_Hz, std::move(signals), 0.01, false), {}),
+                       "hammer_as_response"),
+            nullptr);
 }
 
 acquire::Record noise() {

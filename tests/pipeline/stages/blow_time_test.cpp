@@ -1,6 +1,5 @@
 #include "pipeline/stages/blow_time.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +11,7 @@
 // FRFs of records that begin before the blow and end while modes ring, from the closed form of their transform.
 namespace percuss::pipeline::blow_time_test {
 
-// Records of 1 s. Of the amplitudes, 40 to 2 % are left at their end.
+// Records of 1 s. Of the amplitudes, 41 to 3 % are left at their end (38 to 2 % where the record begins with the blow).
 constexpr double kLength_s = 1, kBeforeBlow_s = 0.0803;
 const std::vector<identify::Pole> kPoles{{61.3, 0.0025}, {143.7, 0.002}, {391.9, 0.0012}, {612.4, 0.001}};
 constexpr std::size_t kSeeds = 10;
@@ -20,7 +19,8 @@ constexpr std::size_t kSeeds = 10;
 constexpr double kMinRms = 0.67, kMaxRms = 1.33;
 constexpr double kNoise = 3e-4;  // of the largest value at 1/kg
 
-// ∫₀^len of the accelerance's impulse response c exp(st) + conj, by exp(−jωt): the FRF (3.2) less the missing part.
+// ∫₀^length_s of (c exp(st) + conj) exp(−jωt), the accelerance's impulse response times exp(−jωt): the FRF (3.2) less
+// the missing part.
 Complex truncated_accelerance(const identify::Pole& pole, double freq_Hz, double length_s) {
   const double omega = kTwoPi * pole.freq_Hz, zeta = pole.damping_ratio;
   const Complex jw(0, kTwoPi * freq_Hz), s = omega * Complex(-zeta, std::sqrt(1 - zeta * zeta));

@@ -15,7 +15,6 @@ namespace percuss::pipeline::hit_scatter_test {
 
 using testing::AllOf;
 using testing::Contains;
-using testing::Field;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;

@@ -80,7 +80,8 @@ TEST(HitScatterWarnings, NameTheModesThatTakeTheScatterOfTheOthers) {
   ASSERT_EQ(drifting.size(), 1U);
   EXPECT_THAT(drifting[0].message, testing::HasSubstr(others));
   modes[2].freq_std_parts_Hz.hits = 1e-4;
-  EXPECT_THAT(hit_scatter_warnings(modes).at(0).message, testing::Not(testing::HasSubstr("too weak"))) << "no matter";
+  EXPECT_THAT(hit_scatter_warnings(modes).at(0).message, testing::Not(testing::HasSubstr("too weak")))
+      << "assumed scatter far below the noise is not mentioned";
 }
 
 std::string misfit_of(std::optional<double> residual_end_Hz) {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cmath>
+#include <complex>
 #include <nlohmann/json.hpp>
 #include <numbers>
 

@@ -1,6 +1,5 @@
 #include "report/svg/deflection_chart.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -36,7 +36,7 @@ TEST(AnalysisText, ContainsOnlyTheChosenSections) {
               AllOf(HasSubstr("damping"), Not(HasSubstr("bending"))));
 }
 
-// Verdicts without the accelerations must not pass for verdicts about them.
+// The text must say when the verdicts do not consider the accelerations.
 TEST(AnalysisText, SaysThatTheForceAloneJudgesTheHits) {
   const auto says = HasSubstr("judged by their force alone");
   EXPECT_THAT(text_of(test::bending_and_hoop_spec(), {.sections = {ReportSection::hits}}), says);

@@ -39,12 +39,12 @@ std::uint64_t faults_until(CaptureStream& stream, std::uint64_t last, std::uint6
   return faults;
 }
 
-/// A memory figure of this process in MB: "VmRSS:", "VmHWM:".
-double memory_MB(const std::string& name) {
+/// The resident memory of this process in MB.
+double resident_MB() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
     double kB = 0;
-    if (word == name && status >> kB) return kB / 1000;
+    if (word == "VmRSS:" && status >> kB) return kB / 1000;
   }
   return 0;
 }
@@ -74,17 +74,17 @@ TEST(CaptureStress, RunsForADayInFlatMemory) {
   constexpr std::uint64_t kHour = std::uint64_t{2000} * 3600;
   constexpr double kMaxMemory_MB = 64;  // about twice the largest ring of the store, kMaxRing_bytes
   const ScratchFolder folder;
-  const double before_MB = memory_MB("VmRSS:");
+  const double before_MB = resident_MB();
   CaptureStream stream(synth::open_simulated_device("wood-bat,numbered,fs=2000,fast,hits=1439,every=60,end=86400"),
                        {.journal = folder.file("t.journal")});
   stream.keep_from(0);
   std::uint64_t next = 0, faults = faults_until(stream, kHour, next);
-  const double hour_MB = memory_MB("VmRSS:") - before_MB;
+  const double hour_MB = resident_MB() - before_MB;
   double largest_MB = hour_MB;
   for (std::uint64_t hour = 2; hour <= 24; ++hour) {
     faults += faults_until(stream, hour * kHour, next);
     stream.append_event("{\"hour\":" + std::to_string(hour) + "}");
-    largest_MB = std::max(largest_MB, memory_MB("VmRSS:") - before_MB);
+    largest_MB = std::max(largest_MB, resident_MB() - before_MB);
   }
   faults += faults_until(stream, 25 * kHour, next);
   stream.stop();
@@ -98,7 +98,7 @@ TEST(CaptureStress, RunsForADayInFlatMemory) {
   const JournalReader journal(folder.file("t.journal"));
   EXPECT_EQ(journal.end_frame(), 24 * kHour);
   EXPECT_EQ(journal.events().size(), 23U);
-  EXPECT_LE(memory_MB("VmRSS:") - before_MB, kMaxMemory_MB);
+  EXPECT_LE(resident_MB() - before_MB, kMaxMemory_MB);
 }
 
 }  // namespace percuss::acquire::capture_stress_test

@@ -13,6 +13,7 @@
 #include "pipeline/run_analyses.hpp"
 #include "report/json/analysis_json.hpp"
 #include "support/live/live_source.hpp"
+#include "support/record_samples.hpp"
 
 namespace percuss::test {
 
@@ -78,10 +79,7 @@ inline std::string analysis_document(acquire::Record record) {
 /// The force of each row in N, [rows][samples].
 inline std::vector<std::vector<double>> force_rows(const acquire::Record& record) {
   std::vector<std::vector<double>> rows;
-  for (std::size_t row = 0; row < record.rows.size(); ++row) {
-    rows.emplace_back(record.rows[row].samples);
-    record.read_force_N(row, 0, rows.back());
-  }
+  for (std::size_t row = 0; row < record.rows.size(); ++row) rows.push_back(force_N(record, row));
   return rows;
 }
 

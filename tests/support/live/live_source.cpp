@@ -42,7 +42,7 @@ acquire::SampleBlock LiveSource::block(std::size_t first, std::size_t count) con
 acquire::Record struck_tube(const std::string& times_s, double duration_s, const std::string& more) {
   const auto hits = std::count(times_s.begin(), times_s.end(), ',') + 1;
   const std::string spec = fmt::format(
-      R"({{"schema": "percuss/synth/1", "name": "tube", "fs_hz": 4096, "duration_s": {}, "layout": "continuous",
+      R"({{"schema": "percuss/synth/1", "name": "tube", "fs_hz": {}, "duration_s": {}, "layout": "continuous",
       "hits": {}, "hit_times_s": [{}], "band_hz": [60, 1200],
       "modes": [{{"frequency_hz": 200, "damping_ratio": 0.012, "family": "bending", "order": 1, "angle_deg": 30}},
                 {{"frequency_hz": 450, "damping_ratio": 0.008, "family": "bending", "order": 2, "angle_deg": 40}},
@@ -51,7 +51,7 @@ acquire::Record struck_tube(const std::string& times_s, double duration_s, const
       "impact": {{"position_m": 0.15, "angle_deg": 20}},
       "pulse": {{"kind": "haversine", "width_s": 0.0008, "peak_n": 300}},
       "noise": {{"force": 0.0002, "accel": 0.002}}{}}})",
-      duration_s, hits, times_s, more.empty() ? "" : ", " + more);
+      kTubeRate_Hz, duration_s, hits, times_s, more.empty() ? "" : ", " + more);
   return synth::synthesise(synth::parse_synth_spec(spec, "test")).record;
 }
 

@@ -50,8 +50,13 @@ std::string file_of_rows(const ResultFlags& flags) {
   return found == paths.end() ? part_files(flags.folder) : *found;
 }
 
+const std::vector<std::string>& merge_extensions() {
+  static const std::vector<std::string> kExtensions{".jsonl", ".csv", ".h5", ".hdf5"};
+  return kExtensions;
+}
+
 int merge(const ResultFlags& flags) {
-  check_outputs(flags.output, {".jsonl", ".csv", ".h5", ".hdf5"});
+  check_outputs(flags.output, merge_extensions());
   if (flags.output.paths.empty())
     throw OptionError({}, "no output is given", "name a file that ends in .jsonl, .csv, .h5 or .hdf5", {"output"});
   const batch::Manifest manifest(flags.manifest);
@@ -111,7 +116,7 @@ void add_batch_merge(CommandLine& line) {
       "percuss batch merge --manifest manifest.jsonl results -o bats.jsonl -o bats.csv",
       "Turn records into a table");
   add_folder_and_manifest(command, *flags);
-  add_output_flags(command, flags->output, {".jsonl", ".csv", ".h5", ".hdf5"});
+  add_output_flags(command, flags->output, merge_extensions());
   add_formula_flag(command, flags->keep_formulas);
 }
 

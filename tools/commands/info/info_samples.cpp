@@ -26,7 +26,7 @@ std::size_t max_samples(const acquire::Record& record) {
 
 // The samples of a channel, row after row: at most max_samples().
 template <class Read>
-std::vector<double> all_samples(const acquire::Record& record, const Read& read) {
+std::vector<double> first_samples(const acquire::Record& record, const Read& read) {
   std::vector<double> samples;
   const std::size_t max = max_samples(record);
   for (std::size_t row = 0; row < record.rows.size() && samples.size() < max; ++row) {
@@ -96,11 +96,11 @@ RecordSamples samples_of(const acquire::Record& record) {
   try {
     if (record.has_force) {
       out.channels.front().samples = summary_of(
-          all_samples(record, [&](std::size_t row, std::span<double> to) { record.read_force_N(row, 0, to); }));
+          first_samples(record, [&](std::size_t row, std::span<double> to) { record.read_force_N(row, 0, to); }));
     }
     for (std::size_t c = 0; c < record.accel.size(); ++c) {
       out.channels[first_accel + c].samples = summary_of(
-          all_samples(record, [&](std::size_t row, std::span<double> to) { record.read_accel_mps2(row, c, 0, to); }));
+          first_samples(record, [&](std::size_t row, std::span<double> to) { record.read_accel_mps2(row, c, 0, to); }));
     }
     find_hammers(record, out.channels);
     if (record.has_force && !out.partial) out.hits = pulses_in(record);

@@ -4,7 +4,7 @@
 
 namespace percuss::tools {
 
-/// The guide's options: points from the geometry file, the band, goals, and the folder of the output.
+/// The guide's options from the flags, with the points of the geometry file and the folder of the output.
 /// errors  InputError, UsageError: unusable files or values.
 pipeline::GuideOptions guide_options(const RecordFlags& flags);
 

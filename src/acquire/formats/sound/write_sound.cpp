@@ -56,10 +56,10 @@ SoundCalibration calibration_of(const Record& record, const std::vector<double>&
                        .geometry = record.geometry,
                        .trace_lines = record.trace_lines};
   for (std::size_t s = 0; s < scales.size(); ++s) {
-    const bool force = record.has_force && s == 0;
-    const SignalInfo& info = force ? record.force : record.accel[s - (record.has_force ? 1 : 0)];
+    const bool is_force = record.has_force && s == 0;
+    const SignalInfo& info = is_force ? record.force : record.accel[s - (record.has_force ? 1 : 0)];
     out.signals.push_back({.name = info.name,
-                           .measures = force ? Quantity::force : info.measures,
+                           .measures = is_force ? Quantity::force : info.measures,
                            .to_SI = scales[s],
                            .angle_rad = info.angle_rad,
                            .position_m = info.position_m});
@@ -74,7 +74,7 @@ SoundKind sound_kind(const std::string& path) {
 
 }  // namespace
 
-void write_sound(const std::string& path, const Record& record, bool force) {
+void write_sound(const std::string& path, const Record& record, bool overwrite) {
   const std::size_t signals = signal_count(record);
   if (record.rows.empty() || signals == 0) throw InputError("nothing to write", path, "keep a hit and a channel");
   const SoundKind kind = sound_kind(path);
@@ -91,7 +91,7 @@ void write_sound(const std::string& path, const Record& record, bool force) {
   const auto scales = calibrated ? full_scales(record) : std::vector<double>(signals, 1);
   const double rate_Hz =
       std::clamp(std::round(record.fs_Hz), 1.0, static_cast<double>(std::numeric_limits<int>::max()));
-  SoundOutput out(path, force, kind, signals, static_cast<int>(rate_Hz),
+  SoundOutput out(path, overwrite, kind, signals, static_cast<int>(rate_Hz),
                   cues.size() > 1 ? cues : std::vector<std::uint32_t>{},
                   SoundOutput::Chunk{std::string(kCalibrationChunk), calibration_text(calibration_of(record, scales))});
   std::vector<double> part(kBlockFrames), values(kBlockFrames * signals);

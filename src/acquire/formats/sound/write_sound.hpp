@@ -11,6 +11,6 @@ namespace percuss::acquire {
 /// that SoundCalibration lists; record_losses() names the data that are lost. W64 has no such chunk: its numbers are N,
 /// m/s² or Pa, and the starts of rows are lost.
 /// errors  InputError: as SoundOutput; more than 4 GB in a WAV file.
-void write_sound(const std::string& path, const Record& record, bool force);
+void write_sound(const std::string& path, const Record& record, bool overwrite);
 
 }  // namespace percuss::acquire

@@ -9,7 +9,6 @@
 #include <memory>
 #include <numeric>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "acquire/formats/mat/mat_variable_reader.hpp"

@@ -8,6 +8,7 @@
 #include "acquire/formats/sound/read_sound.hpp"
 #include "acquire/formats/sound/sound_calibration.hpp"
 #include "acquire/formats/sound/sound_file.hpp"
+#include "support/files/wav_bytes.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
 #include "support/record_samples.hpp"
@@ -17,22 +18,15 @@
 namespace percuss::acquire::sound_limits_test {
 
 using test::accel_mps2;
+using test::bytes_of_number;
 using test::force_N;
 using test::input_error_of;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string number(std::uint32_t value, std::size_t bytes) {
-  return {reinterpret_cast<const char*>(&value), bytes};  // little-endian, like the machines that percuss supports
-}
-
 // Two channels of 8 bits, and chunks after the samples.
 std::string wav(const std::string& samples, const std::string& after = "") {
-  const std::string format =
-      number(1, 2) + number(2, 2) + number(1000, 4) + number(2000, 4) + number(2, 2) + number(8, 2);
-  const std::string body = "WAVEfmt " + number(16, 4) + format + "data" +
-                           number(static_cast<std::uint32_t>(samples.size()), 4) + samples + after;
-  return "RIFF" + number(static_cast<std::uint32_t>(body.size()), 4) + body;
+  return test::wav_bytes({.bits = 8, .after = after}, samples);
 }
 
 class SoundLimits : public testing::Test {
@@ -83,11 +77,11 @@ TEST_F(SoundLimits, AFileThatEndsEarlyIsNamed) {
   const std::string whole = wav(samples);
   EXPECT_EQ(early(whole), "");
   EXPECT_THAT(early(whole.substr(0, 44 + 780)), HasSubstr("it holds 0.39 of the 1 s that its header states"));
-  EXPECT_EQ(early(wav(samples, "LIST" + number(4, 4) + "abcd")), "") << "a chunk after the samples";
+  EXPECT_EQ(early(wav(samples, "LIST" + bytes_of_number(4, 4) + "abcd")), "") << "a chunk after the samples";
   // A program that writes to a pipe does not know the length.
   for (const std::uint32_t unknown : {0x7FFFFFDBU, 0xFFFFFFFFU}) {
     std::string stream = whole;
-    stream.replace(40, 4, number(unknown, 4));
+    stream.replace(40, 4, bytes_of_number(unknown, 4));
     EXPECT_EQ(early(stream), "") << unknown;
   }
   for (const SoundKind kind : {SoundKind::rf64, SoundKind::w64}) {
@@ -105,12 +99,13 @@ TEST_F(SoundLimits, AFileThatEndsEarlyIsNamed) {
 
 TEST_F(SoundLimits, ChunksThatClaimMoreThanTheFileAreRefused) {
   for (const std::uint32_t claimed : {100'000U, 0x7FFFFFF0U}) {
-    EXPECT_EQ(input_error_of([&] { opened(wav(samples_, "CAL1" + number(claimed, 4) + "{}  "), {}); }),
+    EXPECT_EQ(input_error_of([&] { opened(wav(samples_, "CAL1" + bytes_of_number(claimed, 4) + "{}  "), {}); }),
               "a custom chunk that is too long (" + path_ + "); export the file again");
   }
   const std::uint32_t large = (16U << 20U) + 2;  // the limit is 16 MiB
-  EXPECT_THAT(input_error_of([&] { opened(wav(samples_, "CAL1" + number(large, 4) + std::string(large, ' ')), {}); }),
-              HasSubstr("a custom chunk that is too long"));
+  EXPECT_THAT(
+      input_error_of([&] { opened(wav(samples_, "CAL1" + bytes_of_number(large, 4) + std::string(large, ' ')), {}); }),
+      HasSubstr("a custom chunk that is too long"));
 }
 
 TEST_F(SoundLimits, OtherFilesAndRangesAreRefused) {

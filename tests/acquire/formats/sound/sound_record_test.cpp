@@ -11,6 +11,7 @@
 #include "acquire/record/record.hpp"
 #include "acquire/write_record.hpp"
 #include "support/files/csv_text.hpp"
+#include "support/files/wav_bytes.hpp"
 #include "support/input_error.hpp"
 #include "support/messages.hpp"
 #include "support/record_samples.hpp"
@@ -19,46 +20,23 @@
 namespace percuss::acquire::sound_record_test {
 
 using test::accel_mps2;
+using test::bytes_of_number;
 using test::force_N;
 using test::input_error_of;
+using test::wav_bytes;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Little-endian, or big-endian for RIFX.
-std::string number(std::uint64_t value, std::size_t bytes, bool big = false) {
-  std::string out;
-  for (std::size_t i = 0; i < bytes; ++i) out += static_cast<char>(value >> 8U * (big ? bytes - 1 - i : i) & 0xFFU);
-  return out;
-}
-
-struct Wav {
-  std::uint64_t kind = 1, channels = 2, rate_Hz = 1000, bits = 16;  // kind 1: integers, 3: floating point
-  bool big = false;
-  std::string before = {};                          // chunks before the samples
-  std::optional<std::uint64_t> claimed_bytes = {};  // of samples, in the header; empty: the true number
-};
-
-/// The bytes of a WAV file with the header `w` and these samples.
-std::string wav(const Wav& w, const std::string& samples) {
-  const auto n = [&](std::uint64_t value, std::size_t bytes) { return number(value, bytes, w.big); };
-  const std::uint64_t frame = w.channels * w.bits / 8;
-  const std::string format =
-      n(w.kind, 2) + n(w.channels, 2) + n(w.rate_Hz, 4) + n(w.rate_Hz * frame, 4) + n(frame, 2) + n(w.bits, 2);
-  const std::string body = "WAVEfmt " + n(format.size(), 4) + format + w.before + "data" +
-                           n(w.claimed_bytes.value_or(samples.size()), 4) + samples;
-  return (w.big ? "RIFX" : "RIFF") + n(body.size(), 4) + body;
-}
-
 std::string integers(const std::vector<int>& values, std::size_t bytes, bool big = false) {
   std::string out;
-  for (const int value : values) out += number(static_cast<std::uint32_t>(value), bytes, big);
+  for (const int value : values) out += bytes_of_number(static_cast<std::uint32_t>(value), bytes, big);
   return out;
 }
 
 std::string calibration_chunk(std::string text) {
   text.resize((text.size() + 1) / 2 * 2, ' ');
-  return "CAL1" + number(text.size(), 4) + text;
+  return "CAL1" + bytes_of_number(text.size(), 4) + text;
 }
 
 class SoundRecord : public testing::Test {
@@ -81,7 +59,8 @@ TEST_F(SoundRecord, IsReadFromEveryWidthAndByteOrder) {
       std::vector<int> shifted;
       shifted.reserve(values.size());
       for (const int value : values) shifted.push_back(value * (1 << (bits - 8)));
-      const Record record = opened(wav({.bits = bits, .big = big}, integers(shifted, bits / 8, big)), kHammerOnOne);
+      const Record record =
+          opened(wav_bytes({.bits = bits, .big = big}, integers(shifted, bits / 8, big)), kHammerOnOne);
       EXPECT_EQ(record.format, "WAV");
       EXPECT_EQ(record.fs_Hz, 1000);
       EXPECT_TRUE(record.continuous);
@@ -94,14 +73,14 @@ TEST_F(SoundRecord, IsReadFromEveryWidthAndByteOrder) {
 TEST_F(SoundRecord, KeepsFloatingPointNumbersAsTheyAre) {
   std::string samples;
   for (const float value : {0.0F, 1e-3F, 250.5F, -2e4F}) samples.append(reinterpret_cast<const char*>(&value), 4);
-  const Record record = opened(wav({.kind = 3, .bits = 32}, samples), kHammerOnOne);
+  const Record record = opened(wav_bytes({.kind = 3, .bits = 32}, samples), kHammerOnOne);
   EXPECT_THAT(force_N(record), ElementsAre(0, 250.5));
   EXPECT_THAT(accel_mps2(record), ElementsAre(static_cast<double>(1e-3F), -2e4));
 }
 
 TEST_F(SoundRecord, IsCalibratedByOptions) {
   ReadOptions options = kHammerOnOne;
-  const std::string bytes = wav({}, integers({1 << 14, 1 << 14, 0, 0}, 2));
+  const std::string bytes = wav_bytes({}, integers({1 << 14, 1 << 14, 0, 0}, 2));
   EXPECT_THAT(test::texts(opened(bytes, options).notes), Contains(HasSubstr("full scale")));
   options.force_scale = {1000};
   options.accel_scale = {98.0665};
@@ -115,19 +94,20 @@ TEST_F(SoundRecord, SaysThatFullScaleIsTakenAsOneVolt) {
   ReadOptions options = kHammerOnOne;
   options.force_sensitivity_V_per_N = 0.01;
   options.accel_sensitivity_V_per_mps2 = {0.01};
-  const Record record = opened(wav({}, integers({1 << 14, 1 << 14, 0, 0}, 2)), options);
+  const Record record = opened(wav_bytes({}, integers({1 << 14, 1 << 14, 0, 0}, 2)), options);
   EXPECT_THAT(force_N(record), ElementsAre(50, 0));
   EXPECT_THAT(test::texts(record.notes), Contains(HasSubstr("full scale is taken as 1 V")));
 }
 
-// A set-up states sensitivities, and the scales of the options contain the full scale.
+// The scales of the options include the full scale, so they count before the sensitivities of a set-up, and no note on
+// the full scale is given.
 TEST_F(SoundRecord, TakesScalesBeforeTheSensitivitiesOfASetup) {
   ReadOptions options = kHammerOnOne;
   options.setup.resize(2);
   options.setup[0].sensitivity_V_per_SI = 0.01;
   options.force_scale = {1000};
   options.accel_scale = {98.0665};
-  const Record record = opened(wav({}, integers({1 << 14, 1 << 14, 0, 0}, 2)), options);
+  const Record record = opened(wav_bytes({}, integers({1 << 14, 1 << 14, 0, 0}, 2)), options);
   EXPECT_THAT(force_N(record), ElementsAre(500, 0));
   EXPECT_THAT(test::texts(record.notes), Not(Contains(HasSubstr("full scale"))));
 }
@@ -137,7 +117,7 @@ TEST_F(SoundRecord, IsCalibratedByItsChunk) {
       R"({"fs_hz": 999.5, "signals": [{"name": "hammer", "measures": "force", "si_at_full_scale": 2048},)"
       R"( {"name": "barrel", "measures": "acceleration", "si_at_full_scale": -100, "angle_rad": 0.5}],)"
       R"( "rows": [{"samples": 2, "point": 3}, {"samples": 2, "point": 4}]})");
-  const Record record = opened(wav({.before = chunk}, integers({0, 0, 1 << 14, 1 << 14, 0, 1 << 13, 0, 0}, 2)));
+  const Record record = opened(wav_bytes({.before = chunk}, integers({0, 0, 1 << 14, 1 << 14, 0, 1 << 13, 0, 0}, 2)));
   EXPECT_EQ(record.fs_Hz, 999.5);
   ASSERT_EQ(record.rows.size(), 2U);
   EXPECT_EQ(record.rows[1].point, 4);
@@ -152,14 +132,14 @@ TEST_F(SoundRecord, ReadsARowAfterOneThatIsTooShort) {
   const std::string chunk = calibration_chunk(
       R"({"signals": [{"name": "f", "measures": "force", "si_at_full_scale": 32768}, {"si_at_full_scale": 1}],)"
       R"( "rows": [{"samples": 2}, {"samples": 1}, {"samples": 2}]})");
-  const Record record = opened(wav({.before = chunk}, integers({1, 0, 2, 0, 3, 0, 4, 0, 5, 0}, 2)));
+  const Record record = opened(wav_bytes({.before = chunk}, integers({1, 0, 2, 0, 3, 0, 4, 0, 5, 0}, 2)));
   ASSERT_EQ(record.rows.size(), 2U);
   EXPECT_THAT(force_N(record, 1), ElementsAre(4, 5));
   EXPECT_THAT(test::texts(record.notes), testing::Not(Contains(HasSubstr("ends early"))));
 }
 
 TEST_F(SoundRecord, TakesTheOtherChannelsAsAccelerationsWhenTheForceIsNamed) {
-  const std::string bytes = wav({.channels = 3}, integers({1 << 14, 0, 1 << 13, 0, 1 << 14, 0}, 2));
+  const std::string bytes = wav_bytes({.channels = 3}, integers({1 << 14, 0, 1 << 13, 0, 1 << 14, 0}, 2));
   const Record record = opened(bytes, {.force_channel = "2"});
   EXPECT_EQ(record.force.name, "channel 2");
   ASSERT_EQ(record.accel.size(), 2U);
@@ -168,32 +148,32 @@ TEST_F(SoundRecord, TakesTheOtherChannelsAsAccelerationsWhenTheForceIsNamed) {
 }
 
 TEST_F(SoundRecord, IsAmbiguousWithoutAForceChannel) {
-  EXPECT_THROW(opened(wav({}, integers({1, 2, 3, 4}, 2))), AmbiguousColumns);
+  EXPECT_THROW(opened(wav_bytes({}, integers({1, 2, 3, 4}, 2))), AmbiguousColumns);
 }
 
 TEST_F(SoundRecord, ReadsATruncatedRecordingUpToItsEnd) {
   const std::string samples = integers({0, 0, 1 << 14, 1 << 14}, 2);
-  EXPECT_THAT(force_N(opened(wav({.claimed_bytes = 4000}, samples), kHammerOnOne)), ElementsAre(0, 0.5));
+  EXPECT_THAT(force_N(opened(wav_bytes({.claimed_bytes = 4000}, samples), kHammerOnOne)), ElementsAre(0, 0.5));
   const std::string chunk = calibration_chunk(
       R"({"signals": [{"name": "f", "measures": "force", "si_at_full_scale": 1}, {"si_at_full_scale": 1}],)"
       R"( "rows": [{"samples": 2}, {"samples": 2}]})");
-  const Record record = opened(wav({.before = chunk}, samples));
+  const Record record = opened(wav_bytes({.before = chunk}, samples));
   EXPECT_EQ(record.rows.size(), 1U);
   EXPECT_THAT(test::texts(record.notes), Contains(HasSubstr("ends early: 1 of 2 rows")));
 }
 
 TEST_F(SoundRecord, RefusesFilesThatAreNoMeasurement) {
   const auto error = [&](const std::string& bytes) { return input_error_of([&] { opened(bytes, kHammerOnOne); }); };
-  EXPECT_THAT(error(wav({.kind = 6, .bits = 8}, std::string(400, 'x'))), HasSubstr("compressed"));
-  EXPECT_THAT(error(wav({.channels = 0}, "xxxx")), HasSubstr(path_));
-  EXPECT_THAT(error(wav({.rate_Hz = 0}, integers({1, 2, 3, 4}, 2))), HasSubstr(path_));
-  EXPECT_THAT(error(wav({.before = calibration_chunk("[")}, integers({1, 2, 3, 4}, 2))), HasSubstr("CAL1"));
-  EXPECT_THAT(error(wav({.before = calibration_chunk(R"({"signals": []})")}, integers({1, 2, 3, 4}, 2))),
+  EXPECT_THAT(error(wav_bytes({.kind = 6, .bits = 8}, std::string(400, 'x'))), HasSubstr("compressed"));
+  EXPECT_THAT(error(wav_bytes({.channels = 0}, "xxxx")), HasSubstr(path_));
+  EXPECT_THAT(error(wav_bytes({.rate_Hz = 0}, integers({1, 2, 3, 4}, 2))), HasSubstr(path_));
+  EXPECT_THAT(error(wav_bytes({.before = calibration_chunk("[")}, integers({1, 2, 3, 4}, 2))), HasSubstr("CAL1"));
+  EXPECT_THAT(error(wav_bytes({.before = calibration_chunk(R"({"signals": []})")}, integers({1, 2, 3, 4}, 2))),
               HasSubstr("0 signals described for 2 channels"));
   std::string samples;
   for (const float value : {0.0F, NAN, 1.0F, 2.0F}) samples.append(reinterpret_cast<const char*>(&value), 4);
   EXPECT_THAT(input_error_of([&] {
-                const Record record = opened(wav({.kind = 3, .bits = 32}, samples), kHammerOnOne);
+                const Record record = opened(wav_bytes({.kind = 3, .bits = 32}, samples), kHammerOnOne);
                 accel_mps2(record);
               }),
               HasSubstr("not a finite number"));
@@ -204,7 +184,7 @@ TEST_F(SoundRecord, SurvivesTruncationAndMutations) {
       R"({"signals": [{"name": "f", "measures": "force", "si_at_full_scale": 1}, {"si_at_full_scale": 1}]})");
   std::vector<int> samples;  // twice as many bytes as the header and the chunk have together: mutations change both
   for (int n = 0; n < 150; ++n) samples.push_back(200 * (n % 100));
-  const std::string whole = wav({.before = chunk}, integers(samples, 2));
+  const std::string whole = wav_bytes({.before = chunk}, integers(samples, 2));
   int read = 0, refused = 0;
   const auto read_all = [&](const std::string& bytes) {
     try {

@@ -110,7 +110,7 @@ TEST(CsvTable, RefusesLinesOfAnotherLength) {
   EXPECT_EQ(table_of("t,f,a\n0,1,2,,\n1,2,3\n2,3,4,\n")->lines(), 3U);
 }
 
-TEST(CsvTable, RefusesALineWithoutAnEnd) {
+TEST(CsvTable, RefusesALineOfMoreThanOneMebibyte) {
   const std::string text = "t,f\n0,1\n1," + std::string((std::size_t{1} << 20U) + 1, '1') + "\n2,3\n3,4\n";
   EXPECT_THAT(input_error_of([&] { table_of(text); }), HasSubstr("line of more than 1 MiB"));
 }

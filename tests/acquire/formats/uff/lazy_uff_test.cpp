@@ -83,7 +83,7 @@ TEST_F(LazyUff, ReadsNumbersOfAnyKind) {
   }
 }
 
-TEST_F(LazyUff, IsTruncatedLikeAFileInMemory) {
+TEST_F(LazyUff, IsRefusedWhenTruncatedLikeAFileInMemory) {
   const std::string bytes = test::bytes_of(path_);
   for (std::size_t cut = 9973; cut < bytes.size(); cut += 9973) {
     test::write_bytes(path_, bytes.substr(0, cut));

@@ -1,8 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "acquire/channels/stored_frfs.hpp"
 #include "acquire/formats/uff/read_frf_uff.hpp"
 #include "acquire/formats/uff/read_uff.hpp"

@@ -171,7 +171,8 @@ TEST(UffFunction, RemovesTheStepsRounding) {
     UffStepNote note;
     EXPECT_NEAR(1 / uff_step(f, false, 1, note), fs_Hz, 1e-9 * fs_Hz) << dx;  // rounding
     EXPECT_EQ(note.text.empty(), fs_Hz == 1000 || std::string(dx) == "  3.90625E-05") << note.text;
-    // Half a unit of the last digit of the smallest step, 0.22676E-04, and half a unit of the rounding to it.
+    // The largest error is that of the most coarsely written step, 0.22676E-04: half a unit of its last digit, and as
+    // much again for the distance of the chosen step from the written one.
     EXPECT_LT(note.largest_error, 0.5 / 22676 * 2);
   }
 }
