@@ -240,7 +240,10 @@ class SequentialFit {
 
 SequentialFitOptions sequential_fit_options(Effort effort) {
   if (effort == Effort::quick) {
-    return {.max_rounds = 3, .search_residual = false, .windows = {.window_widths = 5, .change = 0.1}, .settle = true};
+    return {.max_rounds = 3,
+            .search_residual = false,
+            .windows = {.window_widths = 5, .change_tolerance = 0.1},
+            .settle = true};
   }
   return {.settle = effort == Effort::standard};
 }
