@@ -6,7 +6,7 @@ execute_process(COMMAND ${EXECUTABLE} --gtest_list_tests OUTPUT_VARIABLE listed 
 string(REGEX MATCHALL "\n[^ \n]+\\.[^\n]*" suites "${listed}")  # a suite ends in a dot; its tests are indented
 # These take longest and start first, the longest before all others, so that none of them runs alone at the end. CTest
 # knows the times of former runs only where there were some.
-set(long_suites Tutorial Examples Survey Truncation Limits FuzzCorpus HostileTruncation Study TrampolineFit
+set(long_suites Limits FuzzCorpus Examples Tutorial Survey Truncation Study TrampolineFit HostileTruncation
                 ChannelFindings)
 # Long computations. Under the sanitizers, .ci/submit leaves them out, and .ci/full runs them.
 set(long_computations ChannelFindings Examples Help IdentifyModes ImpactOnset LargestDeflection Study Survey
