@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# Sourced by .ci/run and .ci/full in the root of the repository. Defines the checks, and how a step is shown and timed.
+# Sourced by .ci/run, .ci/submit and .ci/full in the root of the repository. Defines the checks, and how a step is shown and timed.
 jobs=$(nproc)
 began=$(date +%s)
 summary=
@@ -63,20 +63,38 @@ include_patterns() {
   done
 }
 
-# The .cpp files to check again: changed files, and files that include a changed header.
-changed_sources() {
+# The changed .cpp and .hpp files. Without a commit to compare with, all files.
+changed_files() {
   base=${CI_BASE:-$(git merge-base HEAD '@{upstream}' 2>/dev/null || true)}
   if [ -z "$base" ] || { [ -z "${CI_BASE:-}" ] && [ "$base" = "$(git rev-parse HEAD)" ]; }; then
     base=$(git rev-parse --verify --quiet HEAD~1) || { all_sources; return; }
   fi
-  { git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.hpp'; git ls-files --others --exclude-standard '*.cpp' '*.hpp'; } |
-    while read -r file; do
-      case $file in
-        *.cpp) echo "$file" ;;
-        *) all_sources | grep '\.cpp$' | xargs grep -lF "$(include_patterns "$file")" || true ;;
-      esac
-    done | sort -u
+  git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.hpp'
+  git ls-files --others --exclude-standard '*.cpp' '*.hpp'
 }
+
+# The changed .cpp files, and for each changed header the .cpp file of the same name, or one file that includes the header.
+changed_sources() {
+  changed_files | while read -r file; do
+    case $file in
+      *.cpp) echo "$file" ;;
+      *) if [ -f "${file%.hpp}.cpp" ]; then echo "${file%.hpp}.cpp"; else including "$file" | head -n 1; fi ;;
+    esac
+  done | sort -u
+}
+
+# The changed .cpp files, and all .cpp files that include a changed header.
+affected_sources() {
+  changed_files | while read -r file; do
+    case $file in
+      *.cpp) echo "$file" ;;
+      *) including "$file" ;;
+    esac
+  done | sort -u
+}
+
+# including HEADER: the .cpp files that include it.
+including() { all_sources | grep '\.cpp$' | xargs grep -lF "$(include_patterns "$1")" || true; }
 
 # tidy FILES: runs clang-tidy on the compiled .cpp files of the list. Files of one unity unit are checked together, in a unit
 # of only these files, because parsing the headers of libraries takes most of the time.

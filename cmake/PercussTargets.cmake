@@ -1,3 +1,9 @@
+# In debug builds, gold links the tests in a third of the time of the default linker (decision 220).
+find_program(PERCUSS_GOLD ld.gold)
+if(PERCUSS_GOLD AND CMAKE_BUILD_TYPE STREQUAL "Debug" AND NOT PERCUSS_SANITIZE)
+  add_link_options($<$<CXX_COMPILER_ID:GNU>:-fuse-ld=gold>)
+endif()
+
 # percuss_options(TARGET): the language level, warnings and sanitizers of all targets of percuss.
 function(percuss_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)

@@ -97,7 +97,7 @@ TEST(Help, IsTheSameForBothNamesOfTheOption) {
 
 TEST(Help, FitsATerminalExceptForExampleLines) {
   for (const auto& command : test::commands()) {
-    const std::string help = test::help_of(command);
+    const std::string& help = test::help_of(command);
     for (const std::string& line : lines_of(help.substr(0, help.find("\nExamples:\n"))))
       EXPECT_LE(report::text_width(line), 100U) << line;
   }

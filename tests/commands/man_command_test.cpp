@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,13 +23,17 @@ using test::run_percuss;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string page_of(const std::vector<std::string>& command) {
+// The page of a command, which is printed once per process.
+const std::string& page_of(const std::vector<std::string>& command) {
+  static std::map<std::vector<std::string>, std::string> pages;
+  const auto known = pages.find(command);
+  if (known != pages.end()) return known->second;
   std::vector<std::string> words{"man"};
   words.insert(words.end(), command.begin(), command.end());
   const auto outcome = run_percuss(words);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  return outcome.out;
+  return pages.emplace(command, outcome.out).first->second;
 }
 
 std::vector<std::string> sections_of(const std::string& page) {
@@ -83,7 +88,7 @@ std::string on_one_line(const std::string& text) {
 
 TEST(ManCommand, GivesEveryCommandAPageWithItsSections) {
   for (const auto& command : test::commands()) {
-    const std::string page = page_of(command);
+    const std::string& page = page_of(command);
     auto sections = sections_of(page);
     std::erase(sections, "EXAMPLES");
     EXPECT_THAT(sections, ElementsAre("NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXIT STATUS", "SEE ALSO"));
@@ -95,7 +100,7 @@ TEST(ManCommand, GivesEveryCommandAPageWithItsSections) {
 TEST(ManCommand, ContainsTheTextOfHelp) {
   for (const auto& command : test::commands()) {
     const std::string page = on_one_line(visible_text(page_of(command)));
-    const std::string help = test::help_of(command);
+    const std::string& help = test::help_of(command);
     std::string entry;
     std::size_t entries = 0;
     for (const std::string& line : lines_of(help + "\nend\n")) {
@@ -113,7 +118,7 @@ TEST(ManCommand, ContainsTheTextOfHelp) {
 }
 
 TEST(ManCommand, GroupsOptionsAsHelpDoes) {
-  const std::string help = test::help_of({"analyze"}), page = page_of({"analyze"});
+  const std::string &help = test::help_of({"analyze"}), &page = page_of({"analyze"});
   for (const std::string group : {"Reading", "Analysis", "Output"}) {
     EXPECT_THAT(help, HasSubstr("\n" + group + ":\n"));
     EXPECT_THAT(page, HasSubstr("\n.SS " + group + "\n"));

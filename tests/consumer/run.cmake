@@ -28,7 +28,12 @@ foreach(header IN LISTS public)
   endforeach()
 endforeach()
 
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${CXX}
+# Two dozen programs are linked: with gold in a third of the time. The guide's project below uses the default linker.
+find_program(gold ld.gold)
+if(gold)
+  set(linker -DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=gold)
+endif()
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${CXX} ${linker}
     -DSOURCE=${source} -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 file(GLOB programs ${WORK}/build/programs/*)

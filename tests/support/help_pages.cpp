@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "support/percuss_process.hpp"
 
 namespace percuss::test {
@@ -29,11 +31,14 @@ void add_commands_below(const std::vector<std::string>& parent, std::vector<std:
 
 }  // namespace
 
-std::vector<std::vector<std::string>> commands() {
-  std::vector<std::vector<std::string>> all{{}};
-  add_commands_below({}, all);
-  EXPECT_GT(all.size(), 20U);
-  return all;
+const std::vector<std::vector<std::string>>& commands() {
+  static const auto found = [] {
+    std::vector<std::vector<std::string>> all{{}};
+    add_commands_below({}, all);
+    return all;
+  }();
+  EXPECT_GT(found.size(), 20U);
+  return found;
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -42,13 +47,17 @@ std::string joined(const std::vector<std::string>& words) {
   return out;
 }
 
-std::string help_of(const std::vector<std::string>& command) {
+const std::string& help_of(const std::vector<std::string>& command) {
+  // A process per text, not one per question about it.
+  static std::map<std::vector<std::string>, std::string> texts;
+  const auto known = texts.find(command);
+  if (known != texts.end()) return known->second;
   std::vector<std::string> words = command;
   words.emplace_back("--help");
   const auto outcome = run_percuss(words);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  return outcome.out;
+  return texts.emplace(command, outcome.out).first->second;
 }
 
 std::vector<std::string> option_names(const std::vector<std::string>& command) {
