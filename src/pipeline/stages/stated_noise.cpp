@@ -202,8 +202,12 @@ double variance_of_hits(const StatedScatter& own, const StatedScatter& all) {
 void add_gains(const acquire::FrfRecord& given, const std::vector<Points>& points,
                const std::vector<std::vector<StatedScatter>>& gains, std::vector<identify::Mode>& modes) {
   std::map<std::size_t, MeanScatter> of_points;  // over the modes
+  MeanScatter of_set;
   for (const Points& of_mode : points) {
-    for (const auto& [point, of] : of_mode) of_points[point].add(of.gain.mean());
+    for (const auto& [point, of] : of_mode) {
+      of_points[point].add(of.gain.mean());
+      of_set.add(of.gain.mean());
+    }
   }
   for (std::size_t m = 0; m < modes.size(); ++m) {
     for (std::size_t o = 0; o < gains[m].size(); ++o) {
@@ -211,7 +215,10 @@ void add_gains(const acquire::FrfRecord& given, const std::vector<Points>& point
       const std::size_t averages = given.frfs[o].frf.averages;
       const double student = averages > 1 ? student_factor(static_cast<double>(averages - 1)) : 1;
       const StatedScatter common = points[m].at(residue.point).gain.mean();
-      const double common2 = variance_of_hits(common, of_points[residue.point].mean());
+      const StatedScatter of_point = of_points[residue.point].mean();
+      // A point whose modes cannot tell takes the mean of all points.
+      const bool ask_all = common.std > 0 && !is_significant(of_point);
+      const double common2 = variance_of_hits(common, ask_all ? of_set.mean() : of_point);
       const double rest2 = gains[m][o].variance - common2;
       residue.relative_std = std::hypot(residue.relative_std, student * std::sqrt(common2));
       if (rest2 > kSignificantVariance * gains[m][o].std)
