@@ -22,6 +22,7 @@ constexpr std::size_t kMinNoiseReach = 100;  // lines on each side, over which t
 constexpr double kMinFreedom = 2;            // lines
 constexpr double kSignificantVariance = 2;   // standard deviations
 constexpr double kMinDeviate = 3.8;          // of the χ² of the residual below the stated variance: 1 in 10 000
+constexpr double kMaxDeviate = 2;
 constexpr double kMinVariance = 1e-300;
 
 struct NoiseWindow {
@@ -107,43 +108,44 @@ double residual_variance(const std::vector<Complex>& frf, const std::vector<Comp
   return std::max(kMinVariance, sum / static_cast<double>(window.end - window.first));
 }
 
-// True where the lines scatter far less than stated: the stated deviations are then errors that the lines share.
-bool is_shared(const NoiseAtMode& noise) {
-  if (!(noise.freedom >= kMinFreedom) || !(noise.stated > 0)) return false;
+// The chance of so small a residual, if the stated deviations were noise of the lines, as a normal deviate.
+double residual_deviate(const NoiseAtMode& noise) {
+  if (!(noise.freedom >= kMinFreedom) || !(noise.stated > 0)) return 0;
   const double degrees = 2 * noise.freedom;  // a line has a real and an imaginary part
-  return chi2_deviate(degrees * noise.residual / noise.stated, degrees) < -kMinDeviate;
+  return chi2_deviate(degrees * noise.residual / noise.stated, degrees);
 }
 
-// The stated deviations of the lines of the resonance as the scatter of a residue.
-struct GainScatter {
-  double stated = 0, energy = 0;
-  double relative2() const { return energy > 0 ? stated / energy : 0; }
-};
-
-GainScatter gain_scatter(Complex residue, const ModeChanges& changes, const NoiseWindow& window,
-                         const std::vector<double>& std, std::size_t offset) {
-  const double half2 = std::norm(residue) / 4;  // near its pole, a mode is half of residue times change
-  GainScatter gain;
-  for (std::size_t k = window.first; k < window.end; ++k) {
-    const double value2 = half2 * std::norm(changes.residue(static_cast<Index>(k - window.first)));
-    gain.stated += value2 * std[offset + k] * std[offset + k];
-    gain.energy += value2 * value2;
+// The residual of each mode in each FRF against the stated deviations. The hits that all FRFs and modes share may show
+// only together that the stated deviations are no noise of the lines.
+class SharedTest {
+ public:
+  void add(double deviate) {
+    if (deviate == 0) return;
+    sum_ += std::min(deviate, kMaxDeviate);  // a misfit says nothing
+    ++count_;
   }
-  return gain;
-}
+  // True where the lines scatter far less than stated: the stated deviations are then errors that the lines share.
+  bool is_shared(double deviate) const {
+    return deviate < -kMinDeviate || sum_ < -kMinDeviate * std::sqrt(static_cast<double>(count_));
+  }
+
+ private:
+  double sum_ = 0;
+  std::size_t count_ = 0;
+};
 
 // The mean of several statements of one scatter, weighted by their inverse variances.
 class MeanScatter {
  public:
-  void add(const PoleScatter& one) {
+  void add(const StatedScatter& one) {
     if (!(one.std > 0)) return;
     evidence_ += 1 / (one.std * one.std);
     weighted_ += one.variance / (one.std * one.std);
   }
   // Without evidence: {}.
-  PoleScatter mean() const {
-    return evidence_ > 0 ? PoleScatter{.variance = weighted_ / evidence_, .std = 1 / std::sqrt(evidence_)}
-                         : PoleScatter{};
+  StatedScatter mean() const {
+    return evidence_ > 0 ? StatedScatter{.variance = weighted_ / evidence_, .std = 1 / std::sqrt(evidence_)}
+                         : StatedScatter{};
   }
 
  private:
@@ -153,32 +155,30 @@ class MeanScatter {
 // What the FRFs of a point say of a mode. They share their hits.
 struct PointScatter {
   double weight = 0;  // of the FRFs in the fit of the mode
-  MeanScatter pole;
-  GainScatter gain;
+  MeanScatter pole, gain;
 };
 
 using Points = std::map<std::size_t, PointScatter>;
 
-// The residues scatter by what the channels of a point have in common, and by the rest of each.
-void add_gains(const Points& points, const std::map<std::size_t, GainScatter>& of_residues, identify::Mode& mode) {
-  for (const auto& [o, own] : of_residues) {
-    identify::Residue& residue = mode.residues[o];
-    const double rest2 = std::max(0.0, own.relative2() - points.at(residue.point).gain.relative2());
-    residue.std = std::hypot(residue.std, std::sqrt(rest2) * std::abs(residue.value));
-  }
-  for (identify::Residue& residue : mode.residues)
-    residue.relative_std = std::hypot(residue.relative_std, std::sqrt(points.at(residue.point).gain.relative2()));
+// The relative variance of the residue that the stated deviations show.
+StatedScatter gain_scatter(const StatedGain& stated, const NoiseAtMode& noise) {
+  StatedScatter gain = stated.gain;
+  if (!(gain.std > 0)) return gain;
+  const double excess = stated.constant.variance - noise.residual;
+  const double excess_std = std::hypot(stated.constant.std, noise.residual / std::sqrt(noise.freedom));
+  if (excess > kSignificantVariance * excess_std) gain.variance += excess * stated.constant_to_gain;
+  return gain;
 }
 
 // The scatter of a mode's pole: the mean of the points, each with its own hits.
-PoleScatter mean_of_points(const Points& points) {
+StatedScatter mean_of_points(const Points& points) {
   double weights = 0, all2 = 0, known2 = 0;
   for (const auto& [point, of] : points) weights += of.weight;
-  PoleScatter mean;
+  StatedScatter mean;
   for (const auto& [point, of] : points) {
     const double share2 = std::pow(of.weight / weights, 2);
     all2 += share2;
-    const PoleScatter one = of.pole.mean();
+    const StatedScatter one = of.pole.mean();
     if (!(one.std > 0)) continue;
     known2 += share2;
     mean.variance += share2 * one.variance;
@@ -188,12 +188,43 @@ PoleScatter mean_of_points(const Points& points) {
   return {.variance = mean.variance * all2 / known2, .std = mean.std * all2 / known2};
 }
 
+bool is_significant(const StatedScatter& one) { return one.variance > kSignificantVariance * one.std; }
+
 // Hits usually differ in the same proportion at all modes, as by their temperature: a mode whose lines cannot tell
 // takes what `all` modes say, as far as its lines allow it.
-double variance_of_hits(const PoleScatter& own, const PoleScatter& all) {
-  if (own.variance > kSignificantVariance * own.std) return own.variance;
-  if (!(all.variance > kSignificantVariance * all.std)) return 0;
+double variance_of_hits(const StatedScatter& own, const StatedScatter& all) {
+  if (is_significant(own)) return own.variance;
+  if (!is_significant(all)) return 0;
   return own.std > 0 ? std::clamp(own.variance + kSignificantVariance * own.std, 0.0, all.variance) : all.variance;
+}
+
+// The residues scatter by what the channels of a point have in common, and by the rest of each.
+void add_gains(const acquire::FrfRecord& given, const std::vector<Points>& points,
+               const std::vector<std::vector<StatedScatter>>& gains, std::vector<identify::Mode>& modes) {
+  std::map<std::size_t, MeanScatter> of_points;  // over the modes
+  MeanScatter of_set;
+  for (const Points& of_mode : points) {
+    for (const auto& [point, of] : of_mode) {
+      of_points[point].add(of.gain.mean());
+      of_set.add(of.gain.mean());
+    }
+  }
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    for (std::size_t o = 0; o < gains[m].size(); ++o) {
+      identify::Residue& residue = modes[m].residues[o];
+      const std::size_t averages = given.frfs[o].frf.averages;
+      const double student = averages > 1 ? student_factor(static_cast<double>(averages - 1)) : 1;
+      const StatedScatter common = points[m].at(residue.point).gain.mean();
+      const StatedScatter of_point = of_points[residue.point].mean();
+      // A point whose modes cannot tell takes the mean of all points.
+      const bool ask_all = common.std > 0 && !is_significant(of_point);
+      const double common2 = variance_of_hits(common, ask_all ? of_set.mean() : of_point);
+      const double rest2 = gains[m][o].variance - common2;
+      residue.relative_std = std::hypot(residue.relative_std, student * std::sqrt(common2));
+      if (rest2 > kSignificantVariance * gains[m][o].std)
+        residue.std = std::hypot(residue.std, student * std::sqrt(rest2) * std::abs(residue.value));
+    }
+  }
 }
 
 void add_hits(double variance, identify::Mode& mode) {
@@ -213,41 +244,51 @@ void widen_to_stated_noise(const acquire::FrfRecord& given, const identify::FrfD
   if (std::all_of(given.frfs.begin(), given.frfs.end(), states_none)) return;
   const std::vector<identify::SynthesisedFrf> fits = identify::synthesised_frfs(set, modes, set.lines);
   const std::size_t offset = set.lines.first - given.lines.first;
-  std::vector<PoleScatter> hits(modes.size());
+  std::vector<std::vector<NoiseAtMode>> noise(modes.size());  // [modes][FRFs]
+  std::vector<NoiseWindow> windows;
+  SharedTest shared;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    windows.push_back(noise_window_around(modes[m], set.lines));
+    const ModeChanges changes = changes_with(modes[m].pole, set.lines, set.window_decay_per_s(), windows[m]);
+    const Eigen::VectorXd influence = influence_of_lines(changes), absorbed = absorbed_shares(changes);
+    for (std::size_t o = 0; o < modes[m].residues.size(); ++o) {
+      noise[m].push_back(noise_at_mode(given.frfs[o].frf.std, offset, set.channels[o].frf, fits[o].value, windows[m],
+                                       influence, absorbed));
+      shared.add(residual_deviate(noise[m][o]));
+    }
+  }
+  std::vector<StatedScatter> hits(modes.size());
+  std::vector<Points> points(modes.size());
+  std::vector<std::vector<StatedScatter>> gains(modes.size());  // [modes][FRFs]
   for (std::size_t m = 0; m < modes.size(); ++m) {
     identify::Mode& mode = modes[m];
-    const NoiseWindow window = noise_window_around(mode, set.lines);
-    const ModeChanges changes = changes_with(mode.pole, set.lines, set.window_decay_per_s(), window);
-    const Eigen::VectorXd influence = influence_of_lines(changes), absorbed = absorbed_shares(changes);
+    gains[m].resize(mode.residues.size());
     // The weights of the FRFs in the fit come from the residual. They stay, whatever is stated.
     double weights = 0, variance_of_pole = 0;
-    Points points;
-    std::map<std::size_t, GainScatter> gains;  // by the index of the residue
     for (std::size_t o = 0; o < mode.residues.size(); ++o) {
       identify::Residue& residue = mode.residues[o];
-      const std::vector<Complex>& frf = set.channels[o].frf;
-      const std::vector<double>& std = given.frfs[o].frf.std;
-      const double fitted = residual_variance(frf, fits[o].value, window);
-      const NoiseAtMode noise = noise_at_mode(std, offset, frf, fits[o].value, window, influence, absorbed);
+      const double fitted = residual_variance(set.channels[o].frf, fits[o].value, windows[m]);
       const double weight = std::norm(residue.value) / fitted;
-      double variance = std::max(fitted, noise.stated);
-      if (is_shared(noise)) {
-        variance = std::max(fitted, noise.residual);
-        const GainScatter gain = gain_scatter(residue.value, changes, window, std, offset);
-        gains.emplace(o, gain);
-        points[residue.point].gain.stated += gain.stated;
-        points[residue.point].gain.energy += gain.energy;
+      const bool known = !given.frfs[o].frf.std.empty();
+      double variance = std::max(fitted, noise[m][o].stated);
+      PointScatter& point = points[m][residue.point];
+      if (known && shared.is_shared(residual_deviate(noise[m][o]))) {
+        variance = std::max(fitted, noise[m][o].residual);
+        const auto std = std::span(given.frfs[o].frf.std).subspan(offset);
+        gains[m][o] = gain_scatter(stated_gain(set, mode, o, std, variance), noise[m][o]);
+        point.gain.add(gains[m][o]);
       }
-      if (!std.empty())
-        points[residue.point].pole.add(stated_pole_scatter(set, modes, m, o, std::span(std).subspan(offset), variance));
-      points[residue.point].weight += weight;
+      if (known) {
+        const auto std = std::span(given.frfs[o].frf.std).subspan(offset);
+        point.pole.add(stated_pole_scatter(set, modes, m, o, std, variance));
+      }
+      point.weight += weight;
       weights += weight;
       variance_of_pole += weight * variance / fitted;
       residue.std *= std::sqrt(variance / fitted);
     }
-    add_gains(points, gains, mode);
     if (!(weights > 0)) continue;
-    hits[m] = mean_of_points(points);
+    hits[m] = mean_of_points(points[m]);
     const double ratio = std::sqrt(variance_of_pole / weights);
     if (!(ratio > 1)) continue;
     mode.freq_std_parts_Hz.noise *= ratio;
@@ -255,9 +296,10 @@ void widen_to_stated_noise(const acquire::FrfRecord& given, const identify::FrfD
     mode.freq_std_Hz = mode.freq_std_parts_Hz.total();
     mode.damping_std = mode.damping_std_parts.total();
   }
+  add_gains(given, points, gains, modes);
   MeanScatter of_modes;
-  for (const PoleScatter& one : hits) of_modes.add(one);
-  const PoleScatter all = of_modes.mean();
+  for (const StatedScatter& one : hits) of_modes.add(one);
+  const StatedScatter all = of_modes.mean();
   for (std::size_t m = 0; m < modes.size(); ++m) add_hits(variance_of_hits(hits[m], all), modes[m]);
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/units.hpp"
 
@@ -62,41 +63,29 @@ Eigen::MatrixXd products_of(const Eigen::MatrixXcd& changes) {
   return products;
 }
 
-}  // namespace
-
-PoleScatter stated_pole_scatter(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
-                                std::size_t mode, std::size_t frf, std::span<const double> std, double noise2) {
-  const acquire::LineRange& lines = set.lines;
-  const identify::Pole& own = modes[mode].pole;
-  const std::vector<std::size_t> near = modes_around(modes, mode);
-  const auto used = static_cast<Index>(near.size());
-  const std::size_t middle = lines.nearest(own.freq_Hz);
-  const auto reach =
-      std::max(kMinReach, static_cast<std::size_t>(std::ceil(kScatterReach * own.half_power_Hz() / lines.df_Hz())));
-  const std::size_t first = middle - std::min(middle, reach), end = std::min(lines.count, middle + reach + 1);
-  const std::size_t step = 1 + (end - first) / kMaxScatterLines;
-  const auto rows = static_cast<Index>((end - first + step - 1) / step);
-  Eigen::MatrixXcd changes = Eigen::MatrixXcd::Zero(rows, used + 3);  // the pole, the modes, the rest, a constant
-  Eigen::VectorXd stated2(rows);
-  for (Index row = 0; row < rows; ++row) {
-    const std::size_t k = first + static_cast<std::size_t>(row) * step;
-    const Complex s(set.window_decay_per_s(), kTwoPi * lines.freq_Hz(k));
-    Complex rest = set.channels[frf].frf[k];
-    for (Index i = 0; i < used; ++i) {
-      const identify::Mode& one = modes[near[static_cast<std::size_t>(i)]];
-      const ModeAtLine part = mode_at(one.pole, one.residues[frf].value, s);
-      changes(row, 0) += part.change;
-      changes(row, 1 + i) = part.value;
-      rest -= part.value;
-    }
-    changes(row, used + 1) = rest;
-    changes(row, used + 2) = 1;
-    stated2(row) = std[k] * std[k];
+// The lines around a mode; many are thinned out.
+struct LinesAround {
+  LinesAround(const acquire::LineRange& lines, const identify::Pole& pole) {
+    const std::size_t middle = lines.nearest(pole.freq_Hz);
+    const auto reach =
+        std::max(kMinReach, static_cast<std::size_t>(std::ceil(kScatterReach * pole.half_power_Hz() / lines.df_Hz())));
+    first = middle - std::min(middle, reach);
+    const std::size_t end = std::min(lines.count, middle + reach + 1);
+    step = 1 + (end - first) / kMaxScatterLines;
+    rows = static_cast<Index>((end - first + step - 1) / step);
   }
-  const Eigen::MatrixXd products = products_of(changes);
-  if (rows < products.cols() + 4) return {};
+  std::size_t line(Index row) const { return first + static_cast<std::size_t>(row) * step; }
+  std::size_t first = 0, step = 1;
+  Index rows = 0;
+};
+
+// [parts] the coefficients of the products [lines][parts] in the stated variances, by least squares.
+std::vector<StatedScatter> coefficients_of(const Eigen::MatrixXd& products, const Eigen::VectorXd& stated2,
+                                           double noise2) {
+  const Index rows = products.rows();
+  std::vector<StatedScatter> out(static_cast<std::size_t>(products.cols()));
+  if (rows < products.cols() + 4) return out;
   Eigen::VectorXd model2 = stated2, found;
-  PoleScatter out;
   for (int pass = 0; pass < kPasses; ++pass) {
     // A variance from a few hits, with the noise n² and the shared part V, scatters as n²(2V + n²).
     const Eigen::ArrayXd weight =
@@ -113,11 +102,64 @@ PoleScatter stated_pole_scatter(const identify::FrfDataset& set, const std::vect
     if (pass + 1 < kPasses) continue;
     const double residual2 =
         (target - weighted * found).squaredNorm() / static_cast<double>(std::max<Index>(1, rows - solver.rank()));
-    out.variance = found(0) / scale(0);
-    out.std = std::sqrt(residual2) * solver.pseudoInverse().row(0).norm() / scale(0);
+    const Eigen::MatrixXd inverse = solver.pseudoInverse();
+    for (Index i = 0; i < found.size(); ++i) {
+      const StatedScatter one{.variance = found(i) / scale(i),
+                              .std = std::sqrt(residual2) * inverse.row(i).norm() / scale(i)};
+      if (std::isfinite(one.variance) && std::isfinite(one.std) && one.std > 0) out[static_cast<std::size_t>(i)] = one;
+    }
   }
-  if (!std::isfinite(out.variance) || !std::isfinite(out.std) || !(out.std > 0)) return {};
   return out;
+}
+
+}  // namespace
+
+StatedScatter stated_pole_scatter(const identify::FrfDataset& set, const std::vector<identify::Mode>& modes,
+                                  std::size_t mode, std::size_t frf, std::span<const double> std, double noise2) {
+  const acquire::LineRange& lines = set.lines;
+  const identify::Pole& own = modes[mode].pole;
+  const std::vector<std::size_t> near = modes_around(modes, mode);
+  const auto used = static_cast<Index>(near.size());
+  const LinesAround around(lines, own);
+  const Index rows = around.rows;
+  Eigen::MatrixXcd changes = Eigen::MatrixXcd::Zero(rows, used + 3);  // the pole, the modes, the rest, a constant
+  Eigen::VectorXd stated2(rows);
+  for (Index row = 0; row < rows; ++row) {
+    const std::size_t k = around.line(row);
+    const Complex s(set.window_decay_per_s(), kTwoPi * lines.freq_Hz(k));
+    Complex rest = set.channels[frf].frf[k];
+    for (Index i = 0; i < used; ++i) {
+      const identify::Mode& one = modes[near[static_cast<std::size_t>(i)]];
+      const ModeAtLine part = mode_at(one.pole, one.residues[frf].value, s);
+      changes(row, 0) += part.change;
+      changes(row, 1 + i) = part.value;
+      rest -= part.value;
+    }
+    changes(row, used + 1) = rest;
+    changes(row, used + 2) = 1;
+    stated2(row) = std[k] * std[k];
+  }
+  return coefficients_of(products_of(changes), stated2, noise2).front();
+}
+
+StatedGain stated_gain(const identify::FrfDataset& set, const identify::Mode& mode, std::size_t frf,
+                       std::span<const double> std, double noise2) {
+  const LinesAround lines(set.lines, mode.pole);
+  Eigen::MatrixXd products(lines.rows, 4);
+  Eigen::VectorXd stated2(lines.rows);
+  double power = 0, power2 = 0;
+  for (Index row = 0; row < lines.rows; ++row) {
+    const std::size_t k = lines.line(row);
+    const Complex s(set.window_decay_per_s(), kTwoPi * set.lines.freq_Hz(k));
+    const Complex own = mode_at(mode.pole, mode.residues[frf].value, s).value;
+    const Complex rest = set.channels[frf].frf[k] - own;
+    products.row(row) << std::norm(own), std::norm(rest), (own * std::conj(rest)).real(), 1;
+    stated2(row) = std[k] * std[k];
+    power += std::norm(own);
+    power2 += std::norm(own) * std::norm(own);
+  }
+  const std::vector<StatedScatter> found = coefficients_of(products, stated2, noise2);
+  return {.gain = found.front(), .constant = found.back(), .constant_to_gain = power2 > 0 ? power / power2 : 0};
 }
 
 }  // namespace percuss::pipeline

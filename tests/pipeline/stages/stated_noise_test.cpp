@@ -142,12 +142,14 @@ Rms rms_over_seeds(const RecordOfSeed& record_of_seed, std::size_t modes = 1, do
   return {.freq = std::sqrt(rms.freq), .damping = std::sqrt(rms.damping), .residue = std::sqrt(rms.residue)};
 }
 
+double residue_of_point(int point) { return std::cos(1 + 0.2 * point); }
+
 // FRFs of 10 points, some of them near a node.
 acquire::FrfRecord survey_of_averages(std::uint64_t seed, double gain) {
   constexpr int kPoints = 10;
   acquire::FrfRecord record;
   for (int p = 0; p < kPoints; ++p) {
-    const HitScatter scatter{.gain = gain, .residue = std::cos(1 + 0.2 * p)};
+    const HitScatter scatter{.gain = gain, .residue = residue_of_point(p)};
     acquire::FrfRecord one = average_of_hits(1000 * seed + static_cast<std::uint64_t>(p), scatter);
     one.frfs.front().point = p;
     if (p == 0)
@@ -156,6 +158,22 @@ acquire::FrfRecord survey_of_averages(std::uint64_t seed, double gain) {
       record.frfs.push_back(std::move(one.frfs.front()));
   }
   return record;
+}
+
+// Of the residues of all points of surveys.
+double rms_of_survey_residues(double gain) {
+  constexpr std::uint64_t kSurveys = 6;
+  double sum = 0, count = 0;
+  for (std::uint64_t seed = 1; seed <= kSurveys; ++seed) {
+    const Analysis analysis(survey_of_averages(seed, gain), {.band_Hz = std::pair(100.0, 200.0)});
+    EXPECT_EQ(analysis.modes().size(), 1U) << seed;
+    for (const identify::Residue& one : analysis.modes().front().residues) {
+      const double std = std::hypot(one.std, one.relative_std * std::abs(one.value));
+      sum += std::pow((one.value.real() - residue_of_point(static_cast<int>(one.point))) / std, 2);
+      ++count;
+    }
+  }
+  return std::sqrt(sum / count);
 }
 
 Rms rms_of_deviations(double relative, const std::vector<double>& floor_of) {
@@ -222,6 +240,14 @@ TEST(StatedNoise, CountsModesThatScatterByTheirOwnGainsForTheResiduesAlone) {
 // Each point has its own hits.
 TEST(StatedNoise, CountsTheGainsOfASurveyForItsResiduesAlone) {
   expect_true(rms_over_seeds([](std::uint64_t seed) { return survey_of_averages(seed, 0.03); }));
+}
+
+// A gain of 0.06 % is twice the noise at the peak: hardly an FRF alone tells it from noise of its lines. All together
+// do. The ± of the noise alone is far smaller than the error.
+TEST(StatedNoise, CountsGainsThatOnlyTheWholeSurveyShows) {
+  const double rms = rms_of_survey_residues(6e-4);
+  EXPECT_GT(rms, kMinRms * kStudentRms);
+  EXPECT_LT(rms, kMaxRms * kStudentRms);
 }
 
 // Frequencies that differ by 1/40 of the half-power bandwidth from hit to hit: the error is that of their mean.
