@@ -306,6 +306,17 @@ TEST(Survey, NamesTheSensorOnANode) {
   EXPECT_THAT(warnings, Contains(Field(&Warning::message, HasSubstr("accel 2 sits on a node of mode 1"))));
 }
 
+TEST(Survey, NamesAllModesOfASensorOnTheirNodes) {
+  synth::SynthSpec spec = roving(barrel(), 2);
+  spec.modes.resize(2);
+  for (synth::SynthMode& mode : spec.modes) mode.angle_rad = 0;
+  spec.sensors.push_back({.position_m = 0.05, .angle_rad = pi / 2});
+  const Analysis analysis(synth::synthesise(spec).record, in_band());
+  EXPECT_THAT(Survey(analysis, {}).warnings(),
+              Contains(Field(&Warning::message, HasSubstr("accel 2 sits on a node of modes 1 (205.0 Hz), 2 (690.0 Hz): "
+                                                          "only the other sensors measure their shapes"))));
+}
+
 TEST(Survey, TakesTheDrivingPointsThatTheRecordStates) {
   synth::SynthSpec spec = roving(barrel(), 2);
   spec.modes.resize(1);

@@ -39,11 +39,11 @@ void add_abi(CommandLine& line) {
                                  [flags] { return follow_log(*flags); });
   command.about(
       "Evaluates the accelerated break-in of a composite bat by rolling. The log lists compressions, rollings and "
-      "tests in order; the report names the next step. The bat passes when a test falls clearly below the best one. It "
-      "fails when a test exceeds the limit, or when the first test damages the bat (exit code 5).");
+      "tests in order; the report names the next step. The bat passes when the result of a test falls clearly below "
+      "the best one. It fails when a result exceeds the limit, or when the first test damages the bat (exit code 5).");
   command.example("percuss abi --example > log.json; percuss abi log.json", "Print an example log and evaluate it");
   command.example("percuss abi --example > log.json; percuss abi log.json -o break-in.svg",
-                  "Plot performance and hoop frequency over the steps");
+                  "Plot performance and hoop frequency over the performance tests");
   command.argument("LOG", flags->log, "Log of the steps so far; - is standard input");
   command.value("--limit", flags->limit, "Use this limit in place of the log's").above_zero();
   command.flag("--example", flags->example, "Print an example log with comments");

@@ -49,7 +49,7 @@ PrecisionGoal parse_goal(std::string_view written) {
   } else if (take(rest, "hoop")) {
     goal.type = ModeType::hoop;
   } else if (!take(rest, "mode")) {
-    refuse(written, "begins with no mode's name (bending, hoop or mode)");
+    refuse(written, "does not begin with bending, hoop or mode");
   }
   const auto number = std::from_chars(rest.data(), rest.data() + rest.size(), goal.number);
   if (number.ec != std::errc{} || goal.number < 1 || goal.number > kMaxNumber)
@@ -59,7 +59,7 @@ PrecisionGoal parse_goal(std::string_view written) {
   take(rest, "=");
   const auto limit = std::from_chars(rest.data(), rest.data() + rest.size(), goal.limit);
   if (limit.ec != std::errc{} || !(goal.limit > 0) || !std::isfinite(goal.limit))
-    refuse(written, "the limit is no number above 0");
+    refuse(written, "the limit is not a number above 0");
   rest.remove_prefix(static_cast<std::size_t>(limit.ptr - rest.data()));
   if (rest == "%") {
     goal.relative = true;

@@ -33,6 +33,18 @@ std::string mode_name(const SurveyResults& survey, std::size_t m) {
 
 void add_name(std::string& list, const std::string& name) { list += (list.empty() ? "" : ", ") + name; }
 
+struct NamedModes {
+  std::string names;
+  std::size_t count = 0;
+
+  void add(const SurveyResults& survey, std::size_t m, const std::string& remark = "") {
+    add_name(names, mode_name(survey, m) + remark);
+    ++count;
+  }
+  // "mode 1 (175.2 Hz)", "modes 1 (175.2 Hz), 3 (661.0 Hz)"
+  std::string text() const { return fmt::format("mode{} {}", plural(count), names); }
+};
+
 // Root mean square of the mode's residues at one channel over their noise.
 double residue_rms(const identify::Mode& mode, std::size_t channel) {
   double sum = 0, count = 0;
@@ -47,29 +59,32 @@ double residue_rms(const identify::Mode& mode, std::size_t channel) {
 void warn_of_nodes(const SurveyResults& survey, std::vector<Warning>& out) {
   const std::vector<identify::Mode>& modes = survey.modes;
   const std::vector<acquire::SignalInfo>& accel = survey.accel;
-  std::string nowhere;
+  NamedModes nowhere;
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (survey.shapes[m].significance < kMaxNoiseRms) add_name(nowhere, mode_name(survey, m));
+    if (survey.shapes[m].significance < kMaxNoiseRms) nowhere.add(survey, m);
   }
-  if (!nowhere.empty()) {
-    out.push_back(with_remedy({"sensor_on_node", "the residues of mode " + nowhere +
+  if (nowhere.count > 0) {
+    const bool several = nowhere.count > 1;
+    out.push_back(with_remedy({"sensor_on_node", "the residues of " + nowhere.text() +
                                                      " lie within their noise at every point: every sensor may sit on "
-                                                     "a node of this mode"},
-                              "place a sensor where the mode moves"));
+                                                     "a node of " +
+                                                     (several ? "each of these modes" : "this mode")},
+                              several ? "place sensors where the modes move" : "place a sensor where the mode moves"));
   }
   if (survey.roving != identify::Roving::hammer) return;
   for (std::size_t c = 0; c < accel.size() && accel.size() > 1; ++c) {
-    std::string blind;
+    NamedModes blind;
     for (std::size_t m = 0; m < modes.size(); ++m) {
       if (std::find(survey.repeated.begin(), survey.repeated.end(), m) != survey.repeated.end()) continue;
       if (survey.shapes[m].significance > kMinCertainRms && residue_rms(modes[m], c) < kMaxNoiseRms)
-        add_name(blind, mode_name(survey, m));
+        blind.add(survey, m);
     }
-    if (blind.empty()) continue;
-    out.push_back(with_remedy(
-        {"sensor_on_node", fmt::format("{} sits on a node of mode {}: only the other sensors measure its shape",
-                                       one_line(accel[c].name, kMaxNameBytes), blind)},
-        "move this sensor if the others do not suffice"));
+    if (blind.count == 0) continue;
+    out.push_back(
+        with_remedy({"sensor_on_node", fmt::format("{} sits on a node of {}: only the other sensors measure {}",
+                                                   one_line(accel[c].name, kMaxNameBytes), blind.text(),
+                                                   blind.count > 1 ? "their shapes" : "its shape")},
+                    "move this sensor if the others do not suffice"));
   }
 }
 
@@ -99,31 +114,38 @@ std::optional<double> partner_sensitivity(const SurveyResults& survey, const ide
 // node would explain that.
 void warn_of_partners(const SurveyResults& survey, std::vector<Warning>& out) {
   if (survey.roving != identify::Roving::hammer) return;
-  std::string blind, unknown;
+  NamedModes blind, unknown;
   for (std::size_t m = 0; m < survey.tubes.size(); ++m) {
     const auto& tube = survey.tubes[m];
     if (!tube || tube->order < 1 || !tube->plane_rad || has_partner(survey, m)) continue;
     const auto sensitivity = partner_sensitivity(survey, *tube);
     if (!sensitivity) {
-      add_name(unknown, mode_name(survey, m));
+      unknown.add(survey, m);
     } else if (*sensitivity < kMaxNodeSensitivity) {
       const double turned_deg = std::fmod(*tube->plane_rad * kRadian_deg + 90.0 / tube->order, 180.0 / tube->order);
-      add_name(blind, mode_name(survey, m) + fmt::format(" (its partner's antinode at {:.0f}°)", turned_deg));
+      blind.add(survey, m, fmt::format(" (its partner's antinode at {:.0f}°)", turned_deg));
     }
   }
   const std::string pairs =
-      "a tube's modes come in pairs of one pattern, turned by 90°/n, but no partner was found for mode ";
-  if (!blind.empty()) {
-    out.push_back(with_remedy(
-        {"sensor_on_node", pairs + blind + "; the sensors sit on the partner's nodes and cannot measure it"},
-        "add a sensor half way between these nodes"));
-  }
-  if (!unknown.empty()) {
+      "a tube's modes come in pairs of one pattern, turned by 90°/n, but no partner was found for ";
+  if (blind.count > 0) {
     out.push_back(
-        with_remedy({"sensor_on_node",
-                     pairs + unknown + "; the partner may have the same frequency, or the sensor may sit on its node",
-                     {"angle"}},
-                    "state the sensor's angle to check that"));
+        with_remedy({"sensor_on_node", pairs + blind.text() +
+                                           (blind.count > 1 ? "; the sensors sit on the partners' nodes and cannot "
+                                                              "measure them"
+                                                            : "; the sensors sit on the partner's nodes and cannot "
+                                                              "measure it")},
+                    "add a sensor half way between these nodes"));
+  }
+  if (unknown.count > 0) {
+    out.push_back(with_remedy({"sensor_on_node",
+                               pairs + unknown.text() +
+                                   (unknown.count > 1 ? "; each partner may have the same frequency, or the sensor may "
+                                                        "sit on its node"
+                                                      : "; the partner may have the same frequency, or the sensor may "
+                                                        "sit on its node"),
+                               {"angle"}},
+                              "state the sensor's angle to check that"));
   }
 }
 

@@ -185,7 +185,8 @@ void add_model_trampoline(CommandLine& line) {
       .type("SPEED:COR:STD,...");
   command
       .list("--hold", flags->hold,
-            "Hold an exponent in the fit, such as a=0.6495; --a and --b beside --fit-ccor hold theirs, too")
+            "Hold an exponent in the fit, such as a=0.6495; with --fit-ccor, the options --a and --b also hold their "
+            "exponents")
       .type("NAME=VALUE,...");
   command
       .repeatable("--bats", flags->bats,

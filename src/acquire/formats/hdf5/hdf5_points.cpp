@@ -9,6 +9,7 @@
 #include "acquire/formats/hdf5/hdf5_layout.hpp"
 #include "acquire/record/trace_faces.hpp"
 #include "core/error.hpp"
+#include "core/io/counted_words.hpp"
 
 namespace percuss::acquire::hdf5 {
 namespace {
@@ -23,8 +24,8 @@ std::vector<int> numbers_per_row(const InputHdf5& file, const std::string& name,
   if (!file.has(name)) return out;
   const InputDataSet set(file, name);
   if (set.shape().size() > 1 || set.elements() != rows) {
-    throw InputError("shape " + shape_text(set.shape()) + " for " + std::to_string(rows) + " hits", file.where(name),
-                     "store one whole number per hit");
+    throw InputError("shape " + shape_text(set.shape()) + " for " + std::to_string(rows) + " hit" + plural(rows),
+                     file.where(name), "store one whole number per hit");
   }
   const std::vector<double> values = set.read_all();
   for (std::size_t row = 0; row < rows; ++row) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/io/counted_words.hpp"
 
 namespace percuss::acquire {
 namespace {
@@ -69,8 +70,8 @@ std::vector<MatSignal> accel_layout(const MatVariable& variable, const MatLayout
   const auto is_time = [&](const Axis& axis) { return axis.size == force.samples; };
   const auto disagree = [&] {
     refuse_shape(variable, file,
-                 fmt::format("{} has {} hits of {} samples", force.of_force ? "the force" : "the first response",
-                             force.rows, force.samples));
+                 fmt::format("{} has {} hit{} of {} sample{}", force.of_force ? "the force" : "the first response",
+                             force.rows, plural(force.rows), force.samples, plural(force.samples)));
   };
   // Where two dimensions are equally long, time is the same dimension as in the force.
   auto time = force.time_last ? std::find_if(axes.rbegin(), axes.rend(), is_time).base()

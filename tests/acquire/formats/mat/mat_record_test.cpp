@@ -204,7 +204,7 @@ TEST_F(MatRecord, RefusesContradictions) {
       .numbers("fs", {1, 1}, {1000})
       .numbers("force", {3, 1}, {1, 2, 3})
       .numbers("accel", {4, 1}, {1, 2, 3, 4});
-  EXPECT_THAT(input_error_of([&] { opened(); }), HasSubstr("accel is 4x1: the force has 1 hits of 3 samples"));
+  EXPECT_THAT(input_error_of([&] { opened(); }), HasSubstr("accel is 4x1: the force has 1 hit of 3 samples"));
   MatBuilder(path_, MatLevel::v5)
       .numbers("fs", {1, 1}, {1000})
       .numbers("force", {2, 2}, {1, 2, 3, 4})

@@ -95,7 +95,7 @@ TEST_F(MatResponse, IsRefusedWhereAChannelCouldBeTheForceOrTimeIsUnclear) {
       .numbers("fs", {1, 1}, {1000})
       .numbers("acc1_g", {4, 1}, {1, 2, 3, 4})
       .numbers("acc2_g", {5, 1}, {5, 6, 7, 8, 9});
-  EXPECT_THAT(input_error_of([&] { (void)opened(); }), HasSubstr("the first response has 1 hits of 4 samples"));
+  EXPECT_THAT(input_error_of([&] { (void)opened(); }), HasSubstr("the first response has 1 hit of 4 samples"));
   MatBuilder(path_, MatLevel::v5).numbers("fs", {1, 1}, {1000}).numbers("data", {4, 2}, {1, 2, 3, 4, 5, 6, 7, 8});
   EXPECT_EQ(opened({.accel_channels = {"data"}}).accel.size(), 2U);
   EXPECT_TRUE(opened({.force_channel = "data(:,1)", .accel_channels = {"data(:,2)"}}).has_force);
