@@ -26,9 +26,9 @@ def abi(
     """Follow the break-in of a composite bat from its log: next step and verdict.
 
     Evaluates the accelerated break-in of a composite bat by rolling. The log lists compressions,
-    rollings and tests in order; the report names the next step. The bat passes when a test falls
-    clearly below the best one. It fails when a test exceeds the limit, or when the first test
-    damages the bat (exit code 5).
+    rollings and tests in order; the report names the next step. The bat passes when the result of a
+    test falls clearly below the best one. It fails when a result exceeds the limit, or when the
+    first test damages the bat (exit code 5).
 
     Parameters
     ----------

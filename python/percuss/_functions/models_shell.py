@@ -35,7 +35,7 @@ def shell(
     Models the barrel as a tube. Reports hoop frequencies in Hz for n waves around the tube by four
     theories: the shapes of ring and Rayleigh are constant along the tube, the shape of Love grows
     linearly from its middle, and the shape of Flügge has m half-waves along it. `measured` fits
-    Young's modulus or the wall to measured frequencies.
+    Young's modulus, the wall or both to measured frequencies.
 
     Parameters
     ----------

@@ -62,8 +62,8 @@ def trampoline(
         Fit a and b to measured CCOR first: speed in m/s, COR and its standard deviation; or a file
         of such lines.
     hold : dict or str, optional
-        Hold an exponent in the fit, such as a=0.6495; `a` and `b` beside `fit_ccor` hold theirs,
-        too.
+        Hold an exponent in the fit, such as a=0.6495; with `fit_ccor`, the options `a` and `b` also
+        hold their exponents.
     bats : path, array, dict or Result, or a list of them, optional
         Compare with the BBCOR of bats at their first hoop frequency: tables and documents as for
         percuss study.

@@ -66,8 +66,7 @@ void add_model_shell(CommandLine& line) {
       "Models the barrel as a tube. Reports hoop frequencies in Hz for n waves around the tube by four theories: "
       "the shapes of ring and Rayleigh are constant along the tube, the shape of Love grows linearly from its middle, "
       "and the shape of Flügge has m half-waves along it. --measured fits Young's modulus, the wall or both to "
-      "measured "
-      "frequencies.");
+      "measured frequencies.");
   command.example("percuss model shell --outer-diameter 0.0667 --wall 0.0025", "Model a barrel of aluminium");
   command.example("percuss model shell --wall 0.0025 --measured 2:1:1700:5 --fit young",
                   "Fit Young's modulus to 1700 ± 5 Hz");
