@@ -75,6 +75,17 @@ TEST(CertifyCommand, DoesNotJudgeByTheLimitOfAnotherMetric) {
   EXPECT_EQ(run_percuss({"certify", "s.csv", "--metric", "ncaa_besr"}, {.folder = folder.path()}).code, 5);
 }
 
+// The option and the file take the same limits.
+TEST(CertifyCommand, RejectsALimitThatTheSessionMayNotState) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("s.csv"), six_shots("34"));
+  const auto refused = run_percuss({"certify", "s.csv", "--limit", "50"}, {.folder = folder.path()});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--limit cannot be '50'; give a number from 0 to 2"));
+  EXPECT_EQ(run_percuss({"certify", "s.csv", "--limit", "-0.1"}, {.folder = folder.path()}).code, 2);
+  EXPECT_EQ(run_percuss({"certify", "s.csv", "--limit", "2"}, {.folder = folder.path()}).code, 0);
+}
+
 TEST(CertifyCommand, RejectsUnusableInput) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("bad.json"), "{\"bat\": 3}");
@@ -103,6 +114,14 @@ TEST(AbiCommand, ExitsWithCode5IfTheBatFails) {
   const auto outcome = run_percuss({"abi", "l.json", "--limit", "0.719"}, {.folder = folder.path()});
   EXPECT_EQ(outcome.code, 5);
   EXPECT_THAT(outcome.out, HasSubstr("cycle 2: 0.7195 exceeds the limit"));
+}
+
+TEST(AbiCommand, RejectsALimitThatTheLogMayNotState) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("l.json"), run_percuss({"abi", "--example"}).out);
+  const auto refused = run_percuss({"abi", "l.json", "--limit", "50"}, {.folder = folder.path()});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--limit cannot be '50'; give a number from 0 to 2"));
 }
 
 TEST(AbiCommand, RejectsALogOutOfOrder) {
