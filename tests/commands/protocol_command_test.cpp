@@ -56,6 +56,14 @@ TEST(CertifyCommand, CountsShotsFromOne) {
   EXPECT_THAT(outcome.out, HasSubstr("shot 7 does not count: 120.00 mph inbound"));
 }
 
+TEST(CertifyCommand, AsksForMetresPerSecond) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("s.csv"), six_shots("34") + "6,b6,145.4,60.8,13.6,0\n6,b7,145.4,70,34,0\n");
+  const auto outcome = run_percuss({"certify", "s.csv", "--json"}, {.folder = folder.path()});
+  EXPECT_THAT(outcome.out, HasSubstr("60.80 m/s are 136.01 mph; is the speed in m/s?"));
+  EXPECT_THAT(outcome.out, testing::Not(HasSubstr("70.00 m/s")));
+}
+
 TEST(CertifyCommand, StatesTheBatOnItsPage) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("s.json"), run_percuss({"certify", "--example"}).out);
