@@ -56,6 +56,14 @@ TEST(CertifyCommand, CountsShotsFromOne) {
   EXPECT_THAT(outcome.out, HasSubstr("shot 7 does not count: 120.00 mph inbound"));
 }
 
+TEST(CertifyCommand, AsksForMetresPerSecond) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("s.csv"), six_shots("34") + "6,b6,145.4,60.8,13.6,0\n6,b7,145.4,70,34,0\n");
+  const auto outcome = run_percuss({"certify", "s.csv", "--json"}, {.folder = folder.path()});
+  EXPECT_THAT(outcome.out, HasSubstr("60.80 m/s are 136.01 mph; is the speed in m/s?"));
+  EXPECT_THAT(outcome.out, testing::Not(HasSubstr("70.00 m/s")));
+}
+
 TEST(CertifyCommand, StatesTheBatOnItsPage) {
   const test::ScratchFolder folder;
   test::write_bytes(folder.file("s.json"), run_percuss({"certify", "--example"}).out);
@@ -73,6 +81,17 @@ TEST(CertifyCommand, DoesNotJudgeByTheLimitOfAnotherMetric) {
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, testing::AllOf(HasSubstr("0.728, is a limit of ncaa_besr"), HasSubstr("--limit")));
   EXPECT_EQ(run_percuss({"certify", "s.csv", "--metric", "ncaa_besr"}, {.folder = folder.path()}).code, 5);
+}
+
+// The option and the file take the same limits.
+TEST(CertifyCommand, RejectsALimitThatTheSessionMayNotState) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("s.csv"), six_shots("34"));
+  const auto refused = run_percuss({"certify", "s.csv", "--limit", "50"}, {.folder = folder.path()});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--limit cannot be '50'; give a number from 0 to 2"));
+  EXPECT_EQ(run_percuss({"certify", "s.csv", "--limit", "-0.1"}, {.folder = folder.path()}).code, 2);
+  EXPECT_EQ(run_percuss({"certify", "s.csv", "--limit", "2"}, {.folder = folder.path()}).code, 0);
 }
 
 TEST(CertifyCommand, RejectsUnusableInput) {
@@ -103,6 +122,14 @@ TEST(AbiCommand, ExitsWithCode5IfTheBatFails) {
   const auto outcome = run_percuss({"abi", "l.json", "--limit", "0.719"}, {.folder = folder.path()});
   EXPECT_EQ(outcome.code, 5);
   EXPECT_THAT(outcome.out, HasSubstr("cycle 2: 0.7195 exceeds the limit"));
+}
+
+TEST(AbiCommand, RejectsALimitThatTheLogMayNotState) {
+  const test::ScratchFolder folder;
+  test::write_bytes(folder.file("l.json"), run_percuss({"abi", "--example"}).out);
+  const auto refused = run_percuss({"abi", "l.json", "--limit", "50"}, {.folder = folder.path()});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--limit cannot be '50'; give a number from 0 to 2"));
 }
 
 TEST(AbiCommand, RejectsALogOutOfOrder) {

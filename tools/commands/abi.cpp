@@ -5,6 +5,7 @@
 #include "cli/report_output.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
+#include "metrics/protocol/performance.hpp"
 #include "report/abi_report.hpp"
 
 namespace percuss::tools {
@@ -45,7 +46,7 @@ void add_abi(CommandLine& line) {
   command.example("percuss abi --example > log.json; percuss abi log.json -o break-in.svg",
                   "Plot performance and hoop frequency over the performance tests");
   command.argument("LOG", flags->log, "Log of the steps so far; - is standard input");
-  command.value("--limit", flags->limit, "Use this limit in place of the log's").above_zero();
+  command.value("--limit", flags->limit, "Use this limit in place of the log's").within(0, metrics::kMaxLimit);
   command.flag("--example", flags->example, "Print an example log with comments");
   add_output_flags(command, flags->output, report_extensions());
 }

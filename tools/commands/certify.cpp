@@ -8,6 +8,7 @@
 #include "cli/report_output.hpp"
 #include "commands/commands.hpp"
 #include "core/error.hpp"
+#include "metrics/protocol/performance.hpp"
 #include "report/certify_report.hpp"
 
 namespace percuss::tools {
@@ -64,7 +65,7 @@ void add_certify(CommandLine& line) {
   command.argument("SESSION", flags->session, "Session so far: JSON or a table of shots; - is standard input");
   command.value("--metric", flags->metric, "Judge by this metric in place of the session's")
       .one_of({"besr", "ncaa_besr", "bbcor"});
-  command.value("--limit", flags->limit, "Use this limit in place of the session's").above_zero();
+  command.value("--limit", flags->limit, "Use this limit in place of the session's").within(0, metrics::kMaxLimit);
   command.flag("--accept-plateau", flags->accept_plateau,
                "Accept the best location within the margin as the sweet spot if no location stands out");
   command.flag("--example", flags->example, "Print an example session with comments");

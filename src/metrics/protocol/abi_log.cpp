@@ -4,6 +4,7 @@
 #include "core/io/input_file.hpp"
 #include "core/io/strict_json.hpp"
 #include "metrics/protocol/averages.hpp"
+#include "metrics/protocol/performance.hpp"
 
 namespace percuss::metrics {
 namespace {
@@ -68,7 +69,7 @@ void read_abi_document(StrictObject& o, AbiLog& log) {
   o.read("metric", metric);
   if (metric != "besr" && metric != "bbcor") o.fail("no such metric", "metric", "give besr or bbcor");
   log.bbcor = metric == "bbcor";
-  o.read_within("limit", 0, 2, log.limit);
+  o.read_within("limit", 0, kMaxLimit, log.limit);
   o.read_within("displacement_in", kMinDisplacement_in, kMaxDisplacement_in, log.displacement_in);
   o.read("continued_after_failure", log.continued);
   o.read_list("entries", [&](StrictObject& entry) {

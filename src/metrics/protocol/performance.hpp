@@ -15,6 +15,8 @@ inline constexpr double kProtocolGravity_mps2 =
 // Swing and pitch together, 6 in from the tip; also the speed at which a ball lot is calibrated.
 inline constexpr double kNominalSpeed_mph = 136;
 inline constexpr double kNominalSpeed_mps = kNominalSpeed_mph * kMilePerHour_mps;
+// The highest limit of BESR or BBCOR that is read. A higher number is a slip, such as 50 for 0.5.
+inline constexpr double kMaxLimit = 2;
 inline constexpr double kBarrelSpeed_mps = 66 * kMilePerHour_mps;  // of the swing alone, 6 in from the tip
 inline constexpr double kPitchSpeed_mps = 70 * kMilePerHour_mps;   // where the ball crosses the plate
 inline constexpr double kOunceInch2_kgm2 = kOunce_kg * kInch_m * kInch_m;

@@ -10,6 +10,7 @@
 #include "core/io/strict_json.hpp"
 #include "core/units.hpp"
 #include "metrics/protocol/averages.hpp"
+#include "metrics/protocol/performance.hpp"
 
 namespace percuss::metrics {
 namespace {
@@ -136,7 +137,7 @@ void read_session_document(StrictObject& o, Session& s) {
   const auto known = performance_metric_named(metric);
   if (!known) o.fail("no such metric", "metric", "give besr, ncaa_besr or bbcor");
   s.metric = *known;
-  o.read_within("limit", 0, 2, s.limit);
+  o.read_within("limit", 0, kMaxLimit, s.limit);
   o.read_part("bat", [&](StrictObject& part) { read_session_bat(part, s.bat); });
   o.read_part("lab", [&](StrictObject& part) {
     for (const char* key : {"temperature_f", "humidity_percent"}) part.need(key);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "metrics/protocol/certify.hpp"
 #include "metrics/protocol/performance.hpp"
 #include "metrics/protocol/plausibility.hpp"
@@ -107,8 +108,14 @@ JudgedShot judge_shot(const Session& session, const SessionShot& shot, double ta
   check_climate(session, shot, limits, out.reasons);
   check_ball(shot, ball, limits, out.reasons);
   if (!within(shot.in_mph, target_mph, limits.inbound_tolerance_mph)) {
-    out.reasons.push_back({"inbound_speed", fmt::format("{:.2f} mph inbound, not {:.2f} ± {:g} mph", shot.in_mph,
-                                                        target_mph, limits.inbound_tolerance_mph)});
+    // The number is right in another unit.
+    const double if_mps_mph = shot.in_mph / kMilePerHour_mps;
+    const bool in_mps = within(if_mps_mph, target_mph, limits.inbound_tolerance_mph);
+    out.reasons.push_back(
+        {"inbound_speed",
+         fmt::format(
+             "{:.2f} mph inbound, not {:.2f} ± {:g} mph{}", shot.in_mph, target_mph, limits.inbound_tolerance_mph,
+             in_mps ? fmt::format(": {:.2f} m/s are {:.2f} mph; is the speed in m/s?", shot.in_mph, if_mps_mph) : "")});
   }
   if (!within(shot.angle_deg, 0, limits.angle_deg)) {
     out.reasons.push_back({"rebound_angle", fmt::format("rebound at {:g}°, more than {:g}° off the horizontal",

@@ -16,6 +16,7 @@
 #include "identify/classify/ratio_likelihood.hpp"
 #include "identify/classify/set_up_evidence.hpp"
 #include "identify/classify/tube_evidence.hpp"
+#include "pipeline/warnings/sensor_factor.hpp"
 
 namespace percuss::pipeline {
 namespace {
@@ -238,6 +239,27 @@ std::vector<Warning> mixed_units(const acquire::Record& record, const std::vecto
                       "state the unit, or the scale and the angle of each channel")};
 }
 
+// A factor of no unit, as of exchanged or wrong sensitivities.
+std::vector<Warning> wrong_sensitivity(const acquire::Record& record, const std::vector<ClearRatio>& ratios,
+                                       const identify::SensorPair& sensors, const FaultEvidence& evidence) {
+  std::vector<SensorRatio> measured;
+  for (const ClearRatio& one : ratios) measured.push_back({one.freq_Hz, one.ratio, one.angle.std_rad});
+  const auto found = sensor_factor(measured);
+  if (!found || !evidence.fits_tube(found->factor)) return {};
+  const bool second_larger = found->factor > 1;
+  const std::string larger = one_line(record.accel[second_larger ? sensors.second : sensors.first].name, kMaxNameBytes);
+  const std::string other = one_line(record.accel[second_larger ? sensors.first : sensors.second].name, kMaxNameBytes);
+  const std::string factor = ratio_text(second_larger ? found->factor : 1 / found->factor);
+  return {with_remedy(
+      {"units_differ",
+       fmt::format("{} is {} times {}, with the opposite sign, in {} modes. Hoop modes of a tube have equal sizes "
+                   "there: is the sensitivity of one of them wrong, or are the sensitivities exchanged (10 and 100 "
+                   "mV/g in the wrong order give a factor of 100)? Residues, shapes and mode types are wrong then",
+                   larger, factor, other, found->hoop_ratios.size()),
+       {"accel_sensitivity", "accel_scale", "unit"}},
+      "state the sensitivities in the order of the channels, or the scale of each channel")};
+}
+
 // Whether both sensors are at one place along the tube; true if a place is not stated.
 bool at_one_place(const acquire::Record& record, const identify::SensorPair& sensors) {
   const auto &first_m = record.accel[sensors.first].position_m, &second_m = record.accel[sensors.second].position_m;
@@ -302,6 +324,7 @@ std::vector<Warning> tube_warnings(const acquire::Record& record, const std::vec
     const FaultEvidence evidence(ratios, *sensors, options);
     add(reversed_sensor(record, ratios, *sensors, evidence));
     if (right_angle && out.empty()) add(mixed_units(record, ratios, *sensors, evidence));
+    if (right_angle && out.empty()) add(wrong_sensitivity(record, ratios, *sensors, evidence));
   }
   if (out.empty()) add(contradicted_angles(ratios, *sensors, options));
   if (complete && out.empty()) add(missing_order(modes, classifications));

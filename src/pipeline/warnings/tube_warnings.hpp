@@ -12,7 +12,8 @@ namespace percuss::pipeline {
 ///   midway_hit          all ratios are about −1, so that bending and hoop look alike, or about +1, so that hoop modes
 ///                       have nodes at both sensors
 ///   reversed            the ratios of all modes are far likelier if one sensor is reversed (log_fault_evidence)
-///   units_differ        they are far likelier with a factor of two units: 9.81, 10, 39.4, 386, 1000 or an inverse
+///   units_differ        they are far likelier with a factor of two units: 9.81, 10, 39.4, 386, 1000 or an
+///                       inverse; or they show another factor that no right set-up has (sensor_factor)
 ///   angles_contradicted the ratios do not fit the stated angles
 ///   order_missing       the two lowest bending modes are closer than the first two of a tube
 /// `complete`: the modes are all modes of the band.

@@ -166,6 +166,32 @@ TEST(TubeWarnings, StateTheMeasuredRatioOfTheUnits) {
   }
 }
 
+// Two accelerometers of 10 and 100 mV/g whose sensitivities are stated in the wrong order: a factor of 100.
+TEST(TubeWarnings, AskForExchangedSensitivitiesWhereHoopModesShowAFactorOfNoUnit) {
+  for (const double factor : {100.0, 0.01, 20.0, 0.05}) {
+    std::vector<Found> exchanged = kBat;
+    for (Found& one : exchanged) one.ratio *= factor;
+    const std::vector<Warning> warnings = warnings_of(exchanged);
+    ASSERT_THAT(warnings, ElementsAre(Field(&Warning::code, "units_differ"))) << factor;
+    const std::string larger = factor > 1 ? "B" : "A", other = factor > 1 ? "A" : "B";
+    const std::string size = std::abs(std::log(factor)) > std::log(50) ? "100" : "20";
+    EXPECT_THAT(warnings.front().message,
+                HasSubstr(larger + " is " + size + " times " + other + ", with the opposite sign, in 2 modes"));
+    EXPECT_THAT(warnings.front().message, HasSubstr("are the sensitivities exchanged"));
+    EXPECT_THAT(warnings.front().options, Contains("accel_sensitivity"));
+  }
+}
+
+// At 45°, the sensors are at the nodes of the hoop modes: an angle wrong by 2° gives these a ratio of −3.4.
+TEST(TubeWarnings, TakeHoopModesAtTheirNodesForNoFactor) {
+  const std::vector<Found> midway{{182, 1.05, ModeType::bending, 1},
+                                  {622, 1.04, ModeType::bending, 2},
+                                  {1265, 1.06, ModeType::bending, 3},
+                                  {1900, -3.4, ModeType::bending, 4},
+                                  {2650, -3.5, ModeType::bending, 5}};
+  EXPECT_THAT(warnings_of(midway), Not(Contains(Field(&Warning::code, "units_differ"))));
+}
+
 TEST(TubeWarnings, NameAnglesThatTheModesContradict) {
   EXPECT_THAT(warnings_of(kBat, std::numbers::pi), ElementsAre(Field(&Warning::code, "angles_contradicted")));
 }
