@@ -59,7 +59,8 @@ struct PointDeflection {
   int point = 0;
   std::size_t channel = 0, hits = 0;
   std::optional<double> position_m{};
-  double peak_m = 0, std_m = 0;  // mean magnitude of the peaks, and its standard deviation
+  // Mean of the peaks, signed, and its standard deviation; NaN where no hit has a peak or their directions differ.
+  double peak_m = 0, std_m = 0;
 };
 
 /// The ball's speed between the light beam and the structure.

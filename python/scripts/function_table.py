@@ -87,7 +87,7 @@ True
         imports=("from .._results import Nodes",), **_MEASURED,
     ),
     Function(
-        "deflect", "deflect", "Deflection", "`hits` with `peak_m` (a magnitude, its sign in `direction`) and `peak_std_m` in m; `curves()` over time.",
+        "deflect", "deflect", "Deflection", "`hits` with `peak_m` (a magnitude, its sign in `direction`) and `peak_std_m` in m; `points` with their means, None where the hits differ in direction; `curves()` over time.",
         imports=("from .._results import Deflection",), **_RECORDED,
         notes="If no force was recorded, pass None as the force.",
         example="""

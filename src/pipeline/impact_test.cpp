@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <set>
-#include <tuple>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -39,22 +39,45 @@ PositionOf positions(const Analysis& analysis, const ImpactTestOptions& options)
   return [by_point](int point) { return std::optional<double>(by_point.at(point)); };
 }
 
-// Mean magnitude over the repeats that have a value, and its standard deviation; NaN when none has.
-std::pair<double, double> mean_of(const std::vector<const metrics::Deflection*>& members,
-                                  double metrics::Deflection::*value, double metrics::Deflection::*value_std) {
+struct MeanOfHits {
+  double value = 0, std = 0;
+};
+
+// The mean of the values that are known, and its standard deviation; NaN if none is.
+MeanOfHits mean_of(const std::vector<MeanOfHits>& hits) {
   double sum = 0, own = 0, scatter = 0, n = 0;
-  for (const metrics::Deflection* d : members) {
-    if (std::isnan(d->*value)) continue;
-    sum += std::abs(d->*value);
-    own += d->*value_std * (d->*value_std);
+  for (const MeanOfHits& hit : hits) {
+    if (std::isnan(hit.value)) continue;
+    sum += hit.value;
+    own += hit.std * hit.std;
     ++n;
   }
   const double mean = sum / n;
-  for (const metrics::Deflection* d : members) {
-    if (!std::isnan(d->*value)) scatter += std::pow(std::abs(d->*value) - mean, 2);
+  for (const MeanOfHits& hit : hits) {
+    if (!std::isnan(hit.value)) scatter += std::pow(hit.value - mean, 2);
   }
   const double from_scatter = n > 1 ? std::sqrt(scatter / (n * (n - 1))) : 0;
   return {mean, std::max(std::sqrt(own) / n, from_scatter)};
+}
+
+PointDeflection mean_deflection(const std::vector<const metrics::Deflection*>& members) {
+  std::vector<MeanOfHits> peaks, forward;
+  bool positive = false, negative = false;
+  for (const metrics::Deflection* d : members) {
+    peaks.push_back({d->peak_m, d->peak_std_m});
+    forward.push_back({std::abs(d->forward_m), d->forward_std_m});
+    positive = positive || d->peak_m > 0;
+    negative = negative || d->peak_m < 0;
+  }
+  PointDeflection out{.hits = members.size(), .directions_differ = positive && negative};
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const MeanOfHits peak = out.directions_differ ? MeanOfHits{kUnknown, kUnknown} : mean_of(peaks);
+  const MeanOfHits first_motion = mean_of(forward);
+  out.peak_m = peak.value;
+  out.std_m = peak.std;
+  out.forward_m = first_motion.value;
+  out.forward_std_m = first_motion.std;
+  return out;
 }
 
 std::vector<PointDeflection> averaged(const std::vector<DeflectedHit>& hits, const PositionOf& position_of) {
@@ -62,12 +85,10 @@ std::vector<PointDeflection> averaged(const std::vector<DeflectedHit>& hits, con
   for (const DeflectedHit& hit : hits) groups[{hit.point, hit.channel}].push_back(&hit.deflection);
   std::vector<PointDeflection> points;
   for (const auto& [key, members] : groups) {
-    PointDeflection point{.point = key.first, .channel = key.second, .hits = members.size()};
+    PointDeflection point = mean_deflection(members);
+    point.point = key.first;
+    point.channel = key.second;
     point.position_m = position_of(key.first);
-    std::tie(point.peak_m, point.std_m) =
-        mean_of(members, &metrics::Deflection::peak_m, &metrics::Deflection::peak_std_m);
-    std::tie(point.forward_m, point.forward_std_m) =
-        mean_of(members, &metrics::Deflection::forward_m, &metrics::Deflection::forward_std_m);
     points.push_back(point);
   }
   return points;

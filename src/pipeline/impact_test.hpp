@@ -36,9 +36,11 @@ struct PointDeflection {
   int point = 0;
   std::size_t channel = 0, hits = 0;
   std::optional<double> position_m;
-  double peak_m = 0;  // mean magnitude of the hits' peaks; NaN where no hit has one
-  double std_m = 0;   // of the mean: from the hits' own ±, or from the scatter of two or more hits if larger
-  double forward_m = 0, forward_std_m = 0;  // the same for deflections in the direction of the first motion
+  bool directions_differ = false;  // of the hits' peaks: they have no mean
+  double peak_m = 0;               // mean of the hits' peaks, signed; NaN where no hit has one or directions differ
+  double std_m = 0;  // of the mean: from the hits' own ±, or from the scatter of two or more hits if larger
+  // The same for deflections in the direction of the first motion of each hit, as a magnitude.
+  double forward_m = 0, forward_std_m = 0;
 };
 
 struct ImpactTest {

@@ -10,6 +10,7 @@
 #include "acquire/formats/hdf5/write_hdf5.hpp"
 #include "acquire/open_measurement.hpp"
 #include "model/impact/ball_on_beam.hpp"
+#include "support/changed_record.hpp"
 #include "support/files/csv_columns.hpp"
 #include "support/json_schema.hpp"
 #include "support/percuss_process.hpp"
@@ -207,6 +208,37 @@ TEST_F(DeflectCommand, DrawsEveryStruckPoint) {
     ASSERT_LT(row, curves["point"].size());
     EXPECT_NEAR(curves["position_m"][row], kPlaces_m[point], 1e-12);
   }
+}
+
+// Table and document agree: the mean has the sign of the hits, or none where they differ in direction.
+TEST_F(DeflectCommand, StatesTheDirectionOfTheMean) {
+  const auto point_of = [](const std::vector<std::string>& words) {
+    std::vector<std::string> as_json = words;
+    as_json.emplace_back("--json");
+    const json document = test::parse_json(run_percuss(as_json).out);
+    EXPECT_THAT(test::schema_violations(document, test::schema_named("deflection")), testing::IsEmpty());
+    return document["points"][0];
+  };
+  const json forward = point_of({"deflect", file("bat.h5")});
+  const std::vector<std::string> reversed{"deflect", file("bat.h5"), "--accel-scale=-1"};
+  const json backward = point_of(reversed);
+  EXPECT_EQ(backward["direction"].get<int>(), -forward["direction"].get<int>());
+  EXPECT_NEAR(backward["peak_m"].get<double>(), forward["peak_m"].get<double>(), 1e-9);
+  const json hits = test::parse_json(run_percuss({"deflect", file("bat.h5"), "--json"}).out)["hits"];
+  EXPECT_EQ(forward["direction"], hits[0]["direction"]);
+
+  const test::ScratchFolder out;
+  const acquire::Record mixed = test::with_changed_accel(acquire::open_record(file("bat.h5")),
+                                                         [](std::size_t row, std::size_t, std::vector<double>& x) {
+                                                           if (row != 1) return;
+                                                           for (double& value : x) value = -value;
+                                                         });
+  acquire::write_hdf5(out.file("mixed.h5"), mixed, true);
+  const json none = point_of({"deflect", out.file("mixed.h5")});
+  EXPECT_TRUE(none["peak_m"].is_null() && none["peak_std_m"].is_null() && none["direction"].is_null());
+  EXPECT_EQ(none["directions_differ"], true);
+  EXPECT_GT(none["forward_m"].get<double>(), 0);
+  EXPECT_THAT(run_percuss({"deflect", out.file("mixed.h5")}).out, HasSubstr("none: the hits differ in direction"));
 }
 
 TEST_F(DeflectCommand, NamesTheInvalidOption) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 #include <vector>
@@ -170,6 +171,34 @@ TEST(ImpactTest, KeepsAnIdleForceWhereNothingMoves) {
                                                     });
   record.read_force_N = acquire::no_force();
   EXPECT_FALSE(record_without_idle_force(Analysis(std::move(record), {.threads = 1})));
+}
+
+// The mean of three hits on a held structure; hits in `reversed` move the other way.
+PointDeflection mean_with_reversed(const std::vector<std::size_t>& reversed) {
+  acquire::Record record = test::with_changed_accel(
+      record_with_a_clipped_blow(1e9), [reversed](std::size_t row, std::size_t, std::vector<double>& x) {
+        if (std::find(reversed.begin(), reversed.end(), row) == reversed.end()) return;
+        for (double& value : x) value = -value;
+      });
+  return deflect(Analysis(std::move(record), {.band_Hz = std::pair{20.0, 1000.0}, .threads = 1})).points.at(0);
+}
+
+TEST(ImpactTest, AveragesTheLargestDeflectionsWithTheirSign) {
+  const PointDeflection mean = mean_with_reversed({}), reversed = mean_with_reversed({0, 1, 2});
+  EXPECT_NE(mean.peak_m, 0);
+  EXPECT_FALSE(mean.directions_differ || reversed.directions_differ);
+  EXPECT_NEAR(reversed.peak_m, -mean.peak_m, 1e-9 * std::abs(mean.peak_m));
+  EXPECT_NEAR(reversed.std_m, mean.std_m, 1e-9 * std::abs(mean.peak_m));
+  EXPECT_GT(reversed.forward_m, 0) << "a magnitude, along the first motion";
+}
+
+// Swings to opposite sides have no mean that describes a motion.
+TEST(ImpactTest, StatesNoMeanOfOppositeDirections) {
+  const PointDeflection mixed = mean_with_reversed({1});
+  EXPECT_TRUE(mixed.directions_differ);
+  EXPECT_EQ(mixed.hits, 3U);
+  EXPECT_TRUE(std::isnan(mixed.peak_m) && std::isnan(mixed.std_m));
+  EXPECT_NEAR(mixed.forward_m, mean_with_reversed({}).forward_m, 1e-9);
 }
 
 }  // namespace percuss::pipeline::impact_test_test

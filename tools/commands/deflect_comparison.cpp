@@ -93,7 +93,7 @@ metrics::ComparedDocument document_of(const pipeline::Analysis& analysis, const 
   for (const pipeline::PointDeflection& point : test.points) {
     if (point.channel != 0 || std::isnan(point.peak_m)) continue;
     out.deflections.push_back(
-        {.point = point.point, .position_m = point.position_m, .peak_m = point.peak_m, .std_m = point.std_m});
+        {.point = point.point, .position_m = point.position_m, .peak_m = std::abs(point.peak_m), .std_m = point.std_m});
   }
   return out;
 }

@@ -178,8 +178,8 @@ def deflect(
     Returns
     -------
     Deflection
-        `hits` with `peak_m` (a magnitude, its sign in `direction`) and `peak_std_m` in m;
-        `curves()` over time.
+        `hits` with `peak_m` (a magnitude, its sign in `direction`) and `peak_std_m` in m; `points`
+        with their means, None where the hits differ in direction; `curves()` over time.
 
     Other Parameters
     ----------------

@@ -8,6 +8,7 @@
 #include "core/math/statistics.hpp"
 #include "metrics/deflection/baseline_drift.hpp"
 #include "metrics/deflection/baseline_noise.hpp"
+#include "metrics/deflection/final_rest.hpp"
 #include "metrics/deflection/largest_deflection.hpp"
 #include "metrics/deflection/window_mean.hpp"
 
@@ -126,6 +127,10 @@ DriftFree drift_free(const ImpactSignal& signal, const DeflectionOptions& option
     late = zero_mean_correction(integrated.swing_m, signal.fs_Hz, options.highpass_corner_Hz, rest);
   std::optional<DriftFree> coloured;
   if (!moved_before) coloured = drift_free_of_flicker(signal, options, integrated, late.held);
+  // The end of the record is a rest only if the record begins at rest. An amplifier's high-pass bends the baseline.
+  const bool rests_before = !moved_before && !options.moves_before && !(options.highpass_corner_Hz > 0);
+  if (integrated.may_return && !late.held && !coloured && rests_before)
+    late = final_rest_correction(integrated.accel_mps2, integrated.swing_m, signal.fs_Hz, rest);
   DriftFree out;
   if (coloured) {
     out = std::move(*coloured);

@@ -51,9 +51,10 @@ struct DeflectionOptions {
 struct Deflection {
   DeflectionMethod method = DeflectionMethod::drift_free;
   std::vector<double> velocity_mps, deflection_m;
-  std::vector<double> std_m;         // of the deflection; empty where the method has none
-  double bias_mps2 = 0;              // subtracted from the acceleration
-  bool zero_mean_corrected = false;  // the late deflection served to correct the drift (ZeroMeanCorrection)
+  std::vector<double> std_m;  // of the deflection; empty where the method has none
+  double bias_mps2 = 0;       // subtracted from the acceleration
+  // The late deflection, about the position of rest or at it, served to correct the drift (ZeroMeanCorrection).
+  bool zero_mean_corrected = false;
   // drift_free only: the line through the samples before the impact, which is no bias of the sensor (ImpactSignal::
   // level), made most of the deflection. The standard deviation includes it, and the peak was found anew.
   bool moved_before = false;

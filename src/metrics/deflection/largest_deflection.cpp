@@ -56,6 +56,13 @@ std::optional<std::size_t> largest(const Curve& curve, double direction) {
   return best;
 }
 
+// Whether direction × deflection exceeds four standard deviations. Direction 0: either sign.
+bool is_significant(const Curve& curve, std::size_t i, double direction) {
+  const double value_m = (*curve.value_m)[i];
+  const double signed_m = direction == 0 ? std::abs(value_m) : direction * value_m;
+  return signed_m > kSignificantStds * curve.std(i);
+}
+
 double first_direction(const Curve& curve, std::size_t peak) {
   const double clear = kClearlyMoved * std::abs((*curve.value_m)[peak]);
   const auto first =
@@ -122,6 +129,9 @@ void find_largest(const ImpactSignal& signal, const DeflectionOptions& options, 
     if (surer) peak = surer;
     if (!surer) low_noise.reset();
   }
+  // The decays know the time better than the integral knows the value there. An earlier value that is significant is
+  // not the largest.
+  if (low_noise && !is_significant(own, *peak, 0)) return;
   if (!peak) return;
   const Curve curve = low_noise ? Curve{.value_m = &low_noise->value_m, .std_m = &low_noise->std_m} : own;
   d.peak = *peak;
@@ -130,7 +140,7 @@ void find_largest(const ImpactSignal& signal, const DeflectionOptions& options, 
   d.larger_later = !low_noise && grows_on(d);
   const double direction = first_direction(curve, d.peak);
   const auto forward = low_noise ? largest(curve, direction) : most_significant(own, direction);
-  if (!forward) return;
+  if (!forward || (low_noise && !is_significant(own, *forward, direction))) return;
   d.forward_m = d.deflection_m[*forward];
   d.forward_std_m = own.std(*forward);
 }

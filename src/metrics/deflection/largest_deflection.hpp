@@ -10,7 +10,7 @@ namespace percuss::metrics {
 /// which sample counts as the largest: late values are then a random walk, and the rule above chooses a sample too
 /// early. In a weak record of a held structure, the time of the largest deflection therefore comes from a curve without
 /// growing noise: the integral while the force acts, the free decays (decay_deflection) after it. The value is the
-/// integral's at this time, which is unbiased.
+/// integral's at this time, which is unbiased; NaN if it does not exceed four of its standard deviations.
 void find_largest(const ImpactSignal& signal, const DeflectionOptions& options, Deflection& d);
 
 }  // namespace percuss::metrics

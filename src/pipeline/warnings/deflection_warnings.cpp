@@ -208,8 +208,8 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
                                      [](const auto& of) { return !of.deflection->has_peak(); });
   if (unknown > 0) {
     out.push_back(with_remedy({"not_told",
-                               fmt::format("{} of {} deflections never exceed four times their own uncertainty and "
-                                           "have no largest value",
+                               fmt::format("{} of {} deflections do not exceed four times their own uncertainty "
+                                           "where they are largest, and have no largest value",
                                            unknown, test.deflections.size()),
                                options_against_unknown(test)},
                               remedy_against_unknown(test)));
@@ -231,16 +231,18 @@ std::vector<Warning> deflection_warnings(const DeflectionResults& test) {
   } else if (drifts && !test.free_body) {
     out.push_back(with_remedy(
         {"drift",
-         "the structure does not return to its rest position, or the record is too short to show that it "
+         "the structure does not return to its rest position, or the record is too short or too noisy to show that it "
          "does: late deflections drift, and their ± includes the drift",
-         test.has_force ? std::vector<OptionId>{"free_body", "effective_mass", "method"}
-                        : std::vector<OptionId>{"free_body"}},
+         test.has_force ? std::vector<OptionId>{"free_body", "effective_mass", "to", "method"}
+                        : std::vector<OptionId>{"free_body", "to"}},
         test.has_force
             ? "if the structure hangs on bands or strings, nothing is wrong: say that it may move away. If nothing "
-              "pulls it back within the record, state its effective mass at the struck point. If it is held, choose "
-              "the method modal, if the band holds the lowest modes"
-            : "if the structure hangs on bands or strings, or flies away, nothing is wrong: say that it may move "
-              "away"));
+              "pulls it back within the record, state its effective mass at the struck point. If it is held and swings "
+              "at the end, record longer; if noise hides its last swings, end the record before; or choose the method "
+              "modal, if the band holds the lowest modes"
+            : "if the structure hangs on bands or strings, or flies away, nothing is wrong: say that it may move away. "
+              "If it is held and swings at the end, record longer; if noise hides its last swings, end the record "
+              "before"));
   }
   return out;
 }

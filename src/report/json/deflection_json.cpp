@@ -15,6 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json peak_direction_json(double peak_m) { return std::isnan(peak_m) ? Json() : Json(peak_m < 0 ? -1 : 1); }
+
 Json deflected_hit_json(const pipeline::Analysis& analysis, const pipeline::DeflectedHit& hit) {
   const metrics::Deflection& d = hit.deflection;
   const bool has_peak = d.has_peak();
@@ -25,7 +27,7 @@ Json deflected_hit_json(const pipeline::Analysis& analysis, const pipeline::Defl
           {"peak_m", std::abs(d.peak_m)},
           {"peak_time_s", has_peak ? Json(sample_time_s(analysis, hit, d.peak)) : Json()},
           {"peak_std_m", d.std_m.empty() ? Json() : Json(d.peak_std_m)},
-          {"direction", has_peak ? Json(d.peak_m < 0 ? -1 : 1) : Json()},
+          {"direction", peak_direction_json(d.peak_m)},
           {"forward_m", std::abs(d.forward_m)},
           {"forward_std_m", d.std_m.empty() ? Json() : Json(d.forward_std_m)},
           {"method", name_of(d.method)},
@@ -49,8 +51,10 @@ std::string deflection_json(const pipeline::Analysis& analysis, const pipeline::
                               {"channel", point.channel},
                               {"position_m", or_null(point.position_m)},
                               {"hits", point.hits},
-                              {"peak_m", point.peak_m},
+                              {"peak_m", std::abs(point.peak_m)},
                               {"peak_std_m", point.std_m},
+                              {"direction", peak_direction_json(point.peak_m)},
+                              {"directions_differ", point.directions_differ},
                               {"forward_m", point.forward_m},
                               {"forward_std_m", point.forward_std_m}});
   }

@@ -38,7 +38,7 @@ std::vector<const pipeline::DeflectedHit*> hits_of_points(const pipeline::Impact
     if (out.size() == kMaxPointsDrawn) break;
     const pipeline::DeflectedHit* nearest = nullptr;
     const auto distance = [&](const pipeline::DeflectedHit& hit) {
-      return std::isnan(point.peak_m) ? 0 : std::abs(measured_peak_m(hit) - point.peak_m);
+      return std::isnan(point.peak_m) ? 0 : std::abs(measured_peak_m(hit) - std::abs(point.peak_m));
     };
     for (const pipeline::DeflectedHit& hit : test.hits) {
       if (hit.point != point.point || hit.channel != point.channel) continue;

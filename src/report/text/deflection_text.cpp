@@ -44,8 +44,10 @@ ReportText deflection_tables(const pipeline::Analysis& analysis, const pipeline:
       {{"point", Align::right}, {"sensor"}, {"hits", Align::right}, {"mean of the largest deflections", Align::right}});
   bool repeats = false;
   for (const pipeline::PointDeflection& point : test.points) {
-    points.add({analysis.point_names().name(point.point), pipeline::sensor_name(analysis.record().accel, point.channel),
-                fmt::format("{}", point.hits), millimetres(point.peak_m, point.std_m)});
+    points.add(
+        {analysis.point_names().name(point.point), pipeline::sensor_name(analysis.record().accel, point.channel),
+         fmt::format("{}", point.hits),
+         point.directions_differ ? "none: the hits differ in direction" : millimetres(point.peak_m, point.std_m)});
     repeats = repeats || point.hits > 1;
   }
   ReportText text;

@@ -135,4 +135,36 @@ TEST(LargestDeflection, IsTheLargestSampleOfAClearRecord) {
   EXPECT_EQ(std::abs(found.peak_m), test::largest_magnitude(found.deflection_m));
 }
 
+// The decays of a weak record show when the largest deflection comes. The integral there may be lost in its drift: the
+// value is then not known, and an earlier value that exceeds its ± is not the largest.
+TEST(LargestDeflection, IsNotToldBelowFourOfItsStandardDeviations) {
+  constexpr double kRest_s = 0.1;
+  const Record clean = record({{6, 0.02, 60}, {41, 0.01, 80}}, kRest_s, 1.1);
+  const auto& truth = clean.deflection_m;
+  const double true_m = test::largest_magnitude(truth);
+  const auto at = static_cast<std::size_t>(
+      std::max_element(truth.begin(), truth.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+      truth.begin());
+  std::mt19937 random(4);
+  std::normal_distribution<double> gauss;
+  std::vector<double> accel = clean.accel_mps2;
+  for (double& a : accel) a += 0.002 * rms(clean.accel_mps2) * gauss(random);
+  const ImpactSignal signal{.fs_Hz = kFs_Hz, .accel_mps2 = accel, .onset_s = kRest_s, .force_N = {}, .modes = {}};
+  const auto found_with = [&](double stds_at_largest) {
+    Deflection found{.method = DeflectionMethod::drift_free, .deflection_m = truth};
+    const double rest = kRest_s * kFs_Hz;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      const double time = std::max(0.0, static_cast<double>(i) - rest) / (static_cast<double>(at) - rest);
+      found.std_m.push_back(true_m / stds_at_largest * std::pow(time, 1.5));
+    }
+    find_largest(signal, {}, found);
+    return found;
+  };
+  const Deflection known = found_with(5), unknown = found_with(3);
+  EXPECT_NEAR(std::abs(known.peak_m), true_m, 0.02 * true_m);
+  EXPECT_GT(std::abs(known.peak_m), 4 * known.peak_std_m);
+  EXPECT_FALSE(unknown.has_peak());
+  EXPECT_TRUE(std::isnan(unknown.peak_std_m) && std::isnan(unknown.forward_m) && std::isnan(unknown.forward_std_m));
+}
+
 }  // namespace percuss::metrics::largest_deflection_test

@@ -81,4 +81,19 @@ TEST(DeflectionWarnings, SayWhatHoldsForAHungStructure) {
   }
 }
 
+// A longer record helps while the structure swings; afterwards it adds noise alone.
+TEST(DeflectionWarnings, AdviseTheEndOfARecordThatDrifts) {
+  const metrics::Deflection drifting{.method = metrics::DeflectionMethod::drift_free, .peak_m = 1};
+  for (const bool has_force : {true, false}) {
+    DeflectionResults test{.impacts = 1, .rest_recorded = true, .has_force = has_force};
+    test.deflections = {{.hit = 0, .deflection = &drifting, .onset_s = 0, .fs_Hz = 1000}};
+    const std::vector<Warning> warnings = deflection_warnings(test);
+    const Warning* drift = find(warnings, "drift");
+    ASSERT_NE(drift, nullptr);
+    EXPECT_THAT(drift->remedy, testing::HasSubstr("swings at the end, record longer"));
+    EXPECT_THAT(drift->remedy, testing::HasSubstr("end the record before"));
+    EXPECT_THAT(drift->options, testing::Contains("to"));
+  }
+}
+
 }  // namespace percuss::pipeline::deflection_warnings_test
