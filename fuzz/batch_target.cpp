@@ -21,8 +21,8 @@ void read_manifest(const std::string& path) {
     std::size_t next = 0;
     for (std::size_t i = 0; i < shards; ++i) {
       const batch::ShardRange range = manifest.shard(i, shards);
-      if (range.first != next || range.last < range.first) std::abort();
-      next = range.last;
+      if (range.first != next || range.end < range.first) std::abort();
+      next = range.end;
     }
     if (next != manifest.size()) std::abort();
   }

@@ -16,7 +16,7 @@
 #include "identify/classify/ratio_likelihood.hpp"
 #include "identify/classify/set_up_evidence.hpp"
 #include "identify/classify/tube_evidence.hpp"
-#include "pipeline/warnings/sensor_factor.hpp"
+#include "pipeline/channels/sensor_factor.hpp"
 
 namespace percuss::pipeline {
 namespace {

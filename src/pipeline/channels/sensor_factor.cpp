@@ -1,4 +1,4 @@
-#include "pipeline/warnings/sensor_factor.hpp"
+#include "pipeline/channels/sensor_factor.hpp"
 
 #include <algorithm>
 #include <cmath>
