@@ -20,7 +20,7 @@ constexpr double kWeak = 0.5;              // of the mode's amplitude; a stronge
 constexpr double kClose = 3;               // half-power bandwidths of the broader decay
 constexpr double kMinMac = 0.8;
 // The sum of the parts of one decay, see is_one_decay().
-constexpr std::size_t kSteps = 500;
+constexpr std::size_t kCourseSteps = 500;
 constexpr double kLowest = 0.03;          // of the amplitude at the start: the course ends there
 constexpr double kMaxRise = 0.01;         // of the log amplitude, in nepers
 constexpr double kMaxReversal = 0.05;     // of the changes of the frequency: those against its main direction
@@ -79,11 +79,11 @@ Course course_of(const std::vector<const DecayMode*>& parts, std::size_t hit) {
   }
   const double start = std::abs(std::accumulate(values.begin(), values.end(), Complex(0)));
   if (!(start > 0) || !(slowest > 0)) return {};
-  const double step_s = std::log(sum / (kLowest * start)) / slowest / static_cast<double>(kSteps);
+  const double step_s = std::log(sum / (kLowest * start)) / slowest / static_cast<double>(kCourseSteps);
   for (const Complex& rate : rates) factors.push_back(std::exp(rate * step_s));
   Course out;
   std::size_t end = 0;
-  for (std::size_t step = 0; step <= kSteps; ++step) {
+  for (std::size_t step = 0; step <= kCourseSteps; ++step) {
     Complex z = 0, slope = 0;
     for (std::size_t p = 0; p < values.size(); ++p) {
       z += values[p];
@@ -152,7 +152,7 @@ void widen(DecayMode& main) {
 }
 
 // The decays of `among` that may be companions.
-std::vector<const DecayMode*> candidates(const DecayMode& main, const std::vector<DecayMode>& among) {
+std::vector<const DecayMode*> companions_among(const DecayMode& main, const std::vector<DecayMode>& among) {
   std::vector<const DecayMode*> out;
   for (const DecayMode& other : among) {
     if (may_be_companion(main, other)) out.push_back(&other);
@@ -175,16 +175,16 @@ std::vector<DecayMode>::iterator find_amplitude(std::vector<DecayMode>& modes, d
 
 // Whether the companions of a mode are parts of its decay. With few channels, a tone is none: it may be hum.
 bool are_parts(const DecayMode& main, const DecayResults& found) {
-  std::vector<const DecayMode*> parts = candidates(main, found.modes);
+  std::vector<const DecayMode*> parts = companions_among(main, found.modes);
   if (main.mode.residues.size() >= kMinChannels)
-    return parts.size() + candidates(main, found.tones).size() >= kMinCompanions;
+    return parts.size() + companions_among(main, found.tones).size() >= kMinCompanions;
   if (parts.size() < kMinCompanions) return false;
   parts.insert(parts.begin(), &main);
   return is_one_decay(parts);
 }
 
 // Whether a stronger mode names this one as unresolved.
-bool is_named(const DecayMode& one, const std::vector<DecayMode>& modes) {
+bool is_named_unresolved(const DecayMode& one, const std::vector<DecayMode>& modes) {
   return std::any_of(modes.begin(), modes.end(), [&](const DecayMode& other) {
     const std::vector<double>& named = other.unresolved_Hz;
     return std::find(named.begin(), named.end(), one.mode.pole.freq_Hz) != named.end();
@@ -194,7 +194,7 @@ bool is_named(const DecayMode& one, const std::vector<DecayMode>& modes) {
 // Names the decays near `main`, if there are two or more that few channels cannot tell from parts of its decay.
 void note_unresolved(DecayMode& main, const std::vector<DecayMode>& modes) {
   if (main.mode.residues.size() >= kMinChannels) return;
-  const std::vector<const DecayMode*> near = candidates(main, modes);
+  const std::vector<const DecayMode*> near = companions_among(main, modes);
   if (near.size() < kMinCompanions) return;
   for (const DecayMode* other : near) main.unresolved_Hz.push_back(other->mode.pole.freq_Hz);
 }
@@ -207,7 +207,8 @@ void gather_companions(DecayResults& found) {
   std::sort(amplitudes.rbegin(), amplitudes.rend());
   for (const double amplitude : amplitudes) {
     const auto own = find_amplitude(found.modes, amplitude);
-    if (own == found.modes.end() || is_named(*own, found.modes)) continue;  // a companion by now, or near a stronger
+    if (own == found.modes.end() || is_named_unresolved(*own, found.modes))
+      continue;  // a companion by now, or near a stronger
     DecayMode main = *own;
     if (!are_parts(main, found)) {
       note_unresolved(*own, found.modes);
