@@ -24,6 +24,7 @@ struct DecayMode {
   double energy = 0;                                               // over the noise
   std::optional<std::pair<double, double>> alternative_pair_Hz{};  // FittedDecay::alternative_pair_Hz
   std::vector<DecayMode> companions{};                             // gather_companions(): further parts of its decay
+  std::vector<double> unresolved_Hz{};  // gather_companions(): other modes that may be parts of its decay
 };
 
 /// The modes of a test without a force, and the sinusoids among its decays.

@@ -10,7 +10,7 @@ namespace percuss::pipeline {
 ///   no_force         results that need a force are missing
 ///   response_clipped, cut_decay, disturbed_decay  the decays are used in part
 ///   disturbed_decay  also where the motion is no sum of free decays
-///   uneven_decay     a mode whose decay is not exponential
+///   uneven_decay     a mode whose decay is not exponential, or three modes or more that may be such a decay
 ///   tone             sinusoids that do not decay
 ///   pair_or_scatter  one mode whose frequency differs between the hits, or two close modes
 ///   and AnalysisOptions::known, the reader's notes (input_warnings), missing_result_warnings, and object_warnings

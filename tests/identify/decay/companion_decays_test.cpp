@@ -70,11 +70,75 @@ TEST(CompanionDecays, LeavePairsAndOtherShapes) {
   EXPECT_EQ(three.modes.size(), 3U);
 }
 
-// With two channels at a right angle, both hoop modes of a tube have the ratio of residues −1, whatever their planes.
-// An equal ratio is then no proof of one shape.
-TEST(CompanionDecays, NeedThreeChannels) {
-  const DecayResults found = found_in({{decay(100, 0.001, 0.01), {1, -1}}});
-  EXPECT_GT(found.modes.size() + found.tones.size(), 1U);
+// The frequency rises from 99 Hz to 100 Hz. The sum of the parts falls without beats while its frequency rises.
+TEST(CompanionDecays, AreOneModeInOneOrTwoChannelsIfTheirSumDoesNotBeat) {
+  for (const std::vector<double>& shape : {std::vector<double>{1}, std::vector<double>{1, -0.7}}) {
+    const DecayResults found = found_in({{decay(100, 0.002, 0.01), shape}});
+    ASSERT_EQ(found.modes.size(), 1U);
+    EXPECT_GE(found.modes[0].companions.size(), 2U);
+    EXPECT_TRUE(found.modes[0].unresolved_Hz.empty());
+    const Mode& mode = found.modes[0].mode;
+    EXPECT_GT(mode.pole.freq_Hz, 99);
+    EXPECT_LT(mode.pole.freq_Hz, 100);
+    EXPECT_GT(mode.pole.freq_Hz + 3 * mode.freq_std_Hz, 99.9);
+  }
+}
+
+// Three real modes within a bandwidth (0.6 Hz) and of like damping: one channel cannot tell them from parts of a decay.
+TEST(CompanionDecays, AreNamedInOneChannelIfTheyMayBeModes) {
+  const DecayResults found =
+      found_in({{decay(99.5, 0.003), {0.7}}, {decay(100, 0.003), {1}}, {decay(100.5, 0.003), {0.7}}});
+  ASSERT_EQ(found.modes.size(), 3U);
+  for (const DecayMode& mode : found.modes) EXPECT_TRUE(mode.companions.empty());
+  ASSERT_EQ(found.modes[1].unresolved_Hz.size(), 2U);
+  EXPECT_NEAR(found.modes[1].unresolved_Hz[0], 99.5, 4 * found.modes[0].mode.freq_std_Hz);
+  EXPECT_NEAR(found.modes[1].unresolved_Hz[1], 100.5, 4 * found.modes[2].mode.freq_std_Hz);
+  EXPECT_TRUE(found.modes[0].unresolved_Hz.empty());
+  EXPECT_TRUE(found.modes[2].unresolved_Hz.empty());
+}
+
+// In one channel, a pair within a bandwidth and three modes farther apart are modes without a remark.
+TEST(CompanionDecays, LeavePairsAndChordsInOneChannel) {
+  const DecayResults pair = found_in({{decay(100, 0.003), {1}}, {decay(100.4, 0.004), {0.7}}});
+  const DecayResults chord =
+      found_in({{decay(100, 0.003), {1}}, {decay(101.5, 0.003), {0.7}}, {decay(103, 0.003), {0.7}}});
+  EXPECT_EQ(pair.modes.size(), 2U);
+  EXPECT_EQ(chord.modes.size(), 3U);
+  for (const DecayResults* found : {&pair, &chord}) {
+    for (const DecayMode& mode : found->modes)
+      EXPECT_TRUE(mode.companions.empty() && mode.unresolved_Hz.empty()) << mode.mode.pole.freq_Hz;
+  }
+}
+
+// A fit result of three decays at 100 Hz whose amplitudes in two hits are the powers of the hits' strength: the parts
+// of exp(−σt) exp(jε exp(−σt)). One hit whose amplitudes cancel at some time is enough to keep three modes.
+TEST(CompanionDecays, AddUpInEachHit) {
+  constexpr double kDamping = 0.002, kPhase = 0.8;
+  const auto result = [](const std::vector<std::vector<Complex>>& of_hits) {
+    DecayResults out;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double order = static_cast<double>(k) + 1;
+      DecayMode mode;
+      mode.mode.pole = decay_rate_of({.freq_Hz = 100, .damping_ratio = kDamping}).pole();
+      mode.mode.pole.damping_ratio *= order;
+      mode.mode.residues.push_back({.point = 0, .channel = 0, .value = 1, .std = 0, .own_pole = {}});
+      mode.energy = 1e4 / order;
+      for (const std::vector<Complex>& hit : of_hits) mode.hits.push_back({.value = hit[k], .std = 1e-4});
+      out.modes.push_back(mode);
+    }
+    gather_companions(out);
+    return out;
+  };
+  const auto of_strength = [](double strength) {
+    const Complex step = Complex(0, kPhase) * strength;
+    return std::vector<Complex>{strength, strength * step, strength * step * step / 2.0};
+  };
+  const DecayResults one = result({of_strength(1), of_strength(0.6)});
+  ASSERT_EQ(one.modes.size(), 1U);
+  EXPECT_EQ(one.modes[0].companions.size(), 2U);
+  // x − 1.9 x² + 0.4 x³ with x = exp(−σt) is 0 once between x = 0 and x = 1, where the amplitude rises again.
+  const DecayResults three = result({of_strength(1), {1.0, -1.9, 0.4}});
+  EXPECT_EQ(three.modes.size(), 3U);
 }
 
 }  // namespace percuss::identify::companion_decays_test

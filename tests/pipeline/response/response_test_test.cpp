@@ -228,6 +228,60 @@ TEST(ResponseTest, TakesAFrequencyThatChangesDuringTheDecayForOneMode) {
   EXPECT_LT(std::abs(mode.pole.freq_Hz - kMiddle_Hz), kHalf_Hz + 3 * mode.freq_std_Hz);
 }
 
+// One microphone and a mode whose frequency falls with its amplitude, in one blow and in two of different strength.
+TEST(ResponseTest, GathersTheDecaysOfAFrequencyThatFollowsTheAmplitude) {
+  constexpr double kFreq_Hz = 400, kDamping = 0.003, kSoftening = 0.00375, kNoise = 0.01;
+  std::mt19937 random(5);
+  std::normal_distribution<double> gauss;
+  const auto microphone = [&](double strength) {
+    std::vector<double> x(16384);
+    double phase = 0;
+    for (std::size_t n = 0; n < x.size(); ++n) {
+      const double t_s = static_cast<double>(n) / kFs_Hz - 0.05;
+      x[n] = kNoise * gauss(random);
+      if (t_s < 0) continue;
+      const double amplitude = strength * std::exp(-kTwoPi * kFreq_Hz * kDamping * t_s);
+      phase += kTwoPi * kFreq_Hz * (1 - kSoftening * amplitude) / kFs_Hz;
+      x[n] += 100 * amplitude * std::sin(phase);
+    }
+    return x;
+  };
+  const std::vector<std::vector<std::vector<double>>> blow{{microphone(1)}}, blows{{microphone(1)}, {microphone(0.6)}};
+  for (const auto& rows : {blow, blows}) {
+    const ResponseTest test = analyse_responses(test::response_record(kFs_Hz, rows, 0, false), {});
+    ASSERT_EQ(test.found.modes.size(), 1U);
+    const identify::Mode& mode = test.found.modes[0].mode;
+    EXPECT_GT(mode.pole.freq_Hz, kFreq_Hz * (1 - kSoftening));
+    EXPECT_LT(std::abs(mode.pole.freq_Hz - kFreq_Hz), 3 * mode.freq_std_Hz);
+    EXPECT_THAT(test.warnings, testing::Contains(testing::Field(&Warning::code, "uneven_decay")));
+  }
+}
+
+// One microphone. Two modes within a bandwidth, and three beyond it, are no uneven decay.
+TEST(ResponseTest, TakesPairsAndChordsOfOneMicrophoneForModes) {
+  const auto modes_in = [](const std::vector<double>& freqs_Hz) {
+    constexpr double kDamping = 0.003;
+    std::mt19937 random(6);
+    std::normal_distribution<double> gauss;
+    std::vector<double> x(16384);
+    for (std::size_t n = 0; n < x.size(); ++n) {
+      const double t_s = static_cast<double>(n) / kFs_Hz - 0.05;
+      x[n] = 0.01 * gauss(random);
+      if (t_s < 0) continue;
+      double share = 60;
+      for (const double freq_Hz : freqs_Hz) {
+        x[n] += share * std::exp(-kTwoPi * freq_Hz * kDamping * t_s) * std::sin(kTwoPi * freq_Hz * t_s + share);
+        share *= 0.7;
+      }
+    }
+    const ResponseTest test = analyse_responses(test::response_record(kFs_Hz, {{x}}, 0, false), {});
+    EXPECT_THAT(test.warnings, testing::Not(testing::Contains(testing::Field(&Warning::code, "uneven_decay"))));
+    return test.found.modes.size();
+  };
+  EXPECT_EQ(modes_in({400, 401.5}), 2U);
+  EXPECT_EQ(modes_in({400, 405, 410}), 3U);
+}
+
 TEST(ResponseTest, SaysWhatNeedsAForce) {
   const ResponseTest test = analyse_responses(rows(1), {});
   const Warning* const found = warning_of(test, "no_force");
