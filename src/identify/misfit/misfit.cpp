@@ -139,8 +139,7 @@ void add_misfit_of_window(const FrfDataset& set, const LineNoise& line_noise, co
   if (set.points.size() >= kMinScatterPoints) {
     misfit = misfit.cwiseMax(point_scatter_std(projection, state, poles.size()));
   } else {
-    // Where the lines are far apart, neighbours differ by the resonances, and the residual shows the noise better.
-    projection.set_noise_scale(line_noise.over(window.first, window.count).cwiseMin(noise));
+    projection.set_noise_scale(line_noise.over(window.first, window.count));
     misfit = misfit.cwiseMax(sensor_scatter_std(projection, state, poles.size()));
   }
   for (std::size_t i = 0; i < poles.size(); ++i) {

@@ -38,7 +38,7 @@ TEST(Until, SaysWhatItDoesNotUnderstand) {
   };
   EXPECT_THAT(problem_of(""), HasSubstr("no goal"));
   EXPECT_THAT(problem_of("hoop1<0.05Hz,"), HasSubstr("no goal"));
-  EXPECT_THAT(problem_of("torsion1<1Hz"), HasSubstr("no mode's name"));
+  EXPECT_THAT(problem_of("torsion1<1Hz"), HasSubstr("does not begin with"));
   EXPECT_THAT(problem_of("hoop<1Hz"), HasSubstr("number"));
   EXPECT_THAT(problem_of("hoop0<1Hz"), HasSubstr("number"));
   EXPECT_THAT(problem_of("hoop1>1Hz"), HasSubstr("'<'"));

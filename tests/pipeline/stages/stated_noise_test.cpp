@@ -7,6 +7,7 @@
 
 #include "acquire/channels/stored_frfs.hpp"
 #include "core/math/fft.hpp"
+#include "core/math/significance.hpp"
 #include "core/units.hpp"
 #include "pipeline/analysis.hpp"
 
@@ -219,8 +220,10 @@ TEST(StatedNoise, TakesTheScatterOfTheHitsFromCoherenceAndStatedAverages) {
   const HitScatter scatter{.gain = 0.05};
   const Rms stated = rms_over_seeds([&](std::uint64_t seed) { return read_average(seed, scatter, kHits); });
   expect_true(stated);
-  EXPECT_GT(stated.residue, kMinRms * kStudentRms);
-  EXPECT_LT(stated.residue, kMaxRms * kStudentRms);
+  // The number of hits is known, so that the ± includes Student's factor.
+  const double expected = kStudentRms / student_factor(kHits - 1);
+  EXPECT_GT(stated.residue, kMinRms * expected);
+  EXPECT_LT(stated.residue, kMaxRms * expected);
   const Rms unstated = rms_over_seeds([&](std::uint64_t seed) { return read_average(seed, scatter, {}); });
   EXPECT_GT(unstated.residue, 3 * kMaxRms);
 }
@@ -242,10 +245,10 @@ TEST(StatedNoise, CountsTheGainsOfASurveyForItsResiduesAlone) {
   expect_true(rms_over_seeds([](std::uint64_t seed) { return survey_of_averages(seed, 0.03); }));
 }
 
-// A gain of 0.06 % is twice the noise at the peak: hardly an FRF alone tells it from noise of its lines. All together
-// do. The ± of the noise alone is far smaller than the error.
+// A gain of 0.1 % is three times the noise at the peak: an FRF alone seldom tells it from noise of its lines. All
+// together do. Judged one by one, the errors are 2.5 times the ±.
 TEST(StatedNoise, CountsGainsThatOnlyTheWholeSurveyShows) {
-  const double rms = rms_of_survey_residues(6e-4);
+  const double rms = rms_of_survey_residues(1e-3);
   EXPECT_GT(rms, kMinRms * kStudentRms);
   EXPECT_LT(rms, kMaxRms * kStudentRms);
 }
