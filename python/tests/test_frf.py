@@ -317,6 +317,6 @@ def test_deviations_that_the_lines_do_not_show_widen_the_residues_alone():
     for name in ("frequency_std_hz", "damping_ratio_std"):
         assert np.array_equal(getattr(most, name), getattr(more, name))
         assert np.allclose(getattr(more, name), getattr(own, name), rtol=2 * residual_std)
-    assert np.allclose(most.residues_std, 10 * more.residues_std, rtol=0.01)  # of which the noise is a hundredth
+    assert np.allclose(most.residues_std, 10 * more.residues_std, rtol=0.02)  # noise is 2 % of the variance in `more`
     assert np.all(more.residues_std > 5 * own.residues_std)
     assert np.array_equal(most.frequency_hz, own.frequency_hz)

@@ -23,6 +23,7 @@ constexpr double kMinFreedom = 2;            // lines
 constexpr double kSignificantVariance = 2;   // standard deviations
 constexpr double kMinDeviate = 3.8;          // of the χ² of the residual below the stated variance: 1 in 10 000
 constexpr double kMaxDeviate = 2;
+constexpr double kMinRelativeStd = 0.01;  // of a variance: equal stated deviations would fit to rounding errors
 constexpr double kMinVariance = 1e-300;
 
 struct NoiseWindow {
@@ -167,6 +168,7 @@ StatedScatter gain_scatter(const StatedGain& stated, const NoiseAtMode& noise) {
   const double excess = stated.constant.variance - noise.residual;
   const double excess_std = std::hypot(stated.constant.std, noise.residual / std::sqrt(noise.freedom));
   if (excess > kSignificantVariance * excess_std) gain.variance += excess * stated.constant_to_gain;
+  gain.std = std::max(gain.std, kMinRelativeStd * std::abs(gain.variance));
   return gain;
 }
 
