@@ -85,9 +85,10 @@ void require_shapes(const RecordArrays& arrays) {
   for (const int point : arrays.point) acquire::require_point_number(point, kArrays);
   const std::size_t channels = arrays.accel_mps2.front().size();
   for (const std::vector<double>* places : {&arrays.angle_rad, &arrays.position_m}) {
-    if (!places->empty() && places->size() != channels)
+    if (!places->empty() && places->size() != channels) {
       throw InputError("angle_rad or position_m does not have one value per channel", kArrays,
                        "give one value per channel, or none");
+    }
   }
   for (std::size_t row = 0; row < rows; ++row) {
     if (arrays.accel_mps2[row].size() != channels)

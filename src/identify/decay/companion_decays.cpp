@@ -125,6 +125,7 @@ bool falls_without_beats(const std::vector<const DecayMode*>& parts, std::size_t
 // Close modes of one structure have similar rates, and beat. parts: the strongest first.
 bool is_one_decay(const std::vector<const DecayMode*>& parts) {
   std::vector<double> rates_per_s;
+  rates_per_s.reserve(parts.size());
   for (const DecayMode* part : parts) rates_per_s.push_back(-decay_rate_of(part->mode.pole).rate_radps.real());
   std::sort(rates_per_s.begin(), rates_per_s.end());
   for (std::size_t i = 1; i < rates_per_s.size(); ++i) {

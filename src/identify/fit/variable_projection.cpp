@@ -37,6 +37,7 @@ void VariableProjection::project(MatrixXcd& columns) const {
 ProjectedState VariableProjection::evaluate(const std::vector<Pole>& poles) const {
   ProjectedState state;
   std::vector<PointColumns> modes;
+  modes.reserve(poles.size());
   for (const Pole& pole : poles) modes.emplace_back(pole, set_, first_, count_);
   for (const auto& channels : channels_with_equal_columns(poles)) {
     if (channels.empty()) continue;

@@ -236,9 +236,10 @@ void StudyRows::add(std::string_view text, const std::string& where) {
   const auto read = [&](StrictObject& o) {
     std::string schema = "percuss/study-table/1";
     o.read("schema", schema);
-    if (schema != "percuss/study-table/1")
+    if (schema != "percuss/study-table/1") {
       o.fail("not a table of bats", "schema",
              "give a table of bats, or a document of analyze, metrics, certify or abi");
+    }
     o.need("bats");
     o.read_list("bats", read_row);
   };

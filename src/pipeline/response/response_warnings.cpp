@@ -155,6 +155,7 @@ std::vector<Warning> tones(const ResponseTest& test) {
 void add_near(double freq_Hz, const std::vector<double>& near_Hz, std::string& list) {
   if (near_Hz.empty()) return;
   std::vector<std::string> near;
+  near.reserve(near_Hz.size());
   for (const double other_Hz : near_Hz) near.push_back(fmt::format("{:.5g}", other_Hz));
   list += fmt::format("{}{:.5g} Hz (also {} Hz)", list.empty() ? "" : "; ", freq_Hz, fmt::join(near, ", "));
 }
@@ -163,6 +164,7 @@ std::vector<Warning> uneven_decays(const ResponseTest& test) {
   std::string gathered, unresolved;
   for (const identify::DecayMode& mode : test.found.modes) {
     std::vector<double> companions_Hz;
+    companions_Hz.reserve(mode.companions.size());
     for (const identify::DecayMode& other : mode.companions) companions_Hz.push_back(other.mode.pole.freq_Hz);
     add_near(mode.mode.pole.freq_Hz, companions_Hz, gathered);
     add_near(mode.mode.pole.freq_Hz, mode.unresolved_Hz, unresolved);
@@ -172,17 +174,19 @@ std::vector<Warning> uneven_decays(const ResponseTest& test) {
     out.push_back(with_remedy({"uneven_decay", std::move(text)},
                               "strike with less and with more force and compare; check for friction and loose parts"));
   };
-  if (!gathered.empty())
+  if (!gathered.empty()) {
     add(
         fmt::format("these decays are not exponential; their fit needs further oscillations of the same shape: {}. One "
                     "mode whose frequency or damping changes with its amplitude has such a decay, and so have close "
                     "modes that the channels show alike; the ± cover both",
                     gathered));
-  if (!unresolved.empty())
+  }
+  if (!unresolved.empty()) {
     add(
         fmt::format("three or more listed modes lie within a bandwidth: {}. They may be fewer modes whose frequency or "
                     "damping changes with the amplitude; one or two channels cannot tell, and the ± do not cover it",
                     unresolved));
+  }
   return out;
 }
 

@@ -117,11 +117,10 @@ std::vector<Warning> clocks(const acquire::Record& record, const std::vector<Cha
     if (is_pair({.first = 0, .second = clock.channel}, tube)) {
       out.push_back(with_remedy(
           {"clock_mismatch",
-           difference +
-               "their recorders have clocks that differ by this factor, or the sensors face two planes in which "
-               "the tube bends at different frequencies, as across and along the grain of wood. With two "
-               "clocks, " +
-               of_clocks + "; with two planes, nothing is wrong",
+           fmt::format("{}their recorders have clocks that differ by this factor, or the sensors face two planes in "
+                       "which the tube bends at different frequencies, as across and along the grain of wood. With "
+                       "two clocks, {}; with two planes, nothing is wrong",
+                       difference, of_clocks),
            {"accel_channel"},
            {},
            acquire::Severity::warn},

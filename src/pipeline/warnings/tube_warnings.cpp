@@ -243,6 +243,7 @@ std::vector<Warning> mixed_units(const acquire::Record& record, const std::vecto
 std::vector<Warning> wrong_sensitivity(const acquire::Record& record, const std::vector<ClearRatio>& ratios,
                                        const identify::SensorPair& sensors, const FaultEvidence& evidence) {
   std::vector<SensorRatio> measured;
+  measured.reserve(ratios.size());
   for (const ClearRatio& one : ratios) measured.push_back({one.freq_Hz, one.ratio, one.angle.std_rad});
   const auto found = sensor_factor(measured);
   if (!found || !evidence.fits_tube(found->factor)) return {};
@@ -271,6 +272,7 @@ std::vector<Warning> contradicted_angles(std::vector<ClearRatio> lowest, const i
   if (options.angles_assumed || lowest.size() < kMinTubeModes) return {};
   lowest.resize(kMinTubeModes);
   std::vector<identify::RatioAngle> angles;
+  angles.reserve(lowest.size());
   for (const ClearRatio& one : lowest) angles.push_back(one.angle);
   if (identify::log_tube_evidence(angles, likelihood_of(sensors, options)) > kContradiction) return {};
   return {with_remedy(

@@ -188,9 +188,10 @@ void add_modes(const pipeline::Analysis& analysis, Sentences& out, bool shapes_d
   if (options.modes.modes)
     out.push_back(fmt::format("The user limited the list to the clearest {}.", counted(*options.modes.modes, "mode")));
   const std::size_t others = analysis.fitted_modes().size() - modes.size();
-  if (others > 0)
+  if (others > 0) {
     out.push_back(fmt::format("{} took part in the fit and {} not listed.", counted(others, "other mode"),
                               others == 1 ? "is" : "are"));
+  }
   out.emplace_back(effort_sentence(options.modes.effort, modes));
   for (std::string& sentence : fit_sentences(modes)) out.push_back(std::move(sentence));
   add_classes(analysis, out, shapes_decide);

@@ -170,6 +170,7 @@ TEST(GainErrors, HoldTheNoiseOfASecondContactAtItsDelay) {
   FrfDataset set = gated_hit();
   std::vector<frf::Spectrum> spectra;
   const auto blocks = hits_with_second_contact();
+  spectra.reserve(blocks.size());
   for (const frf::ForceBlock& block : blocks)
     spectra.push_back(test::make_spectrum(frf::force_spectrum(block, set.lines)));
   set.points[0] = point_force(blocks, spectra, set.lines, kNoise_N);

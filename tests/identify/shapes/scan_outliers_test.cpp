@@ -74,6 +74,7 @@ std::vector<HitsAlongScan> scan_at(const Places& at) { return scan_at(at, {0, 1,
 
 std::vector<std::size_t> points_of(const std::vector<ScanOutlier>& outliers) {
   std::vector<std::size_t> points;
+  points.reserve(outliers.size());
   for (const ScanOutlier& one : outliers) points.push_back(one.point);
   return points;
 }

@@ -183,6 +183,7 @@ TEST_F(SoundRecord, SurvivesTruncationAndMutations) {
   const std::string chunk = calibration_chunk(
       R"({"signals": [{"name": "f", "measures": "force", "si_at_full_scale": 1}, {"si_at_full_scale": 1}]})");
   std::vector<int> samples;  // twice as many bytes as the header and the chunk have together: mutations change both
+  samples.reserve(150);
   for (int n = 0; n < 150; ++n) samples.push_back(200 * (n % 100));
   const std::string whole = wav_bytes({.before = chunk}, integers(samples, 2));
   int read = 0, refused = 0;
