@@ -52,11 +52,7 @@ ProjectedState VariableProjection::evaluate(const std::vector<Pole>& poles) cons
 }
 
 NormalEquations VariableProjection::normal_equations(const ProjectedState& state, std::size_t modes) const {
-  const auto n = static_cast<Index>(2 * modes);
-  NormalEquations normal{.matrix = MatrixXd::Zero(n, n), .right = VectorXd::Zero(n)};
-  for (const ProjectedPart& part : state.parts)
-    add_normal_equations(part, [&](std::size_t) -> NormalEquations& { return normal; });
-  return normal;
+  return std::move(sums_of_normal_equations(state, modes, 1, [](std::size_t) { return std::size_t{0}; }).front());
 }
 
 std::vector<NormalEquations> VariableProjection::sums_of_normal_equations(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "core/math/linear_algebra.hpp"
@@ -120,7 +121,8 @@ void widen(double misfit, StdParts& parts, double& std) {
   std = parts.total();
 }
 
-void add_misfit_of_window(const FrfDataset& set, const LineNoise& line_noise, const ModeWindow& window,
+// `line_noise`: for the scatter of the sensors of few points.
+void add_misfit_of_window(const FrfDataset& set, const std::optional<LineNoise>& line_noise, const ModeWindow& window,
                           std::vector<Mode>& modes) {
   const std::vector<Pole> poles = window.poles(modes);
   const auto data = window_data(set, modes, window);
@@ -138,8 +140,8 @@ void add_misfit_of_window(const FrfDataset& set, const LineNoise& line_noise, co
   VectorXd misfit = smooth.cwiseMax(shift);
   if (set.points.size() >= kMinScatterPoints) {
     misfit = misfit.cwiseMax(point_scatter_std(projection, state, poles.size()));
-  } else {
-    projection.set_noise_scale(line_noise.over(window.first, window.count));
+  } else if (line_noise) {
+    projection.set_noise_scale(line_noise->over(window.first, window.count));
     misfit = misfit.cwiseMax(sensor_scatter_std(projection, state, poles.size()));
   }
   for (std::size_t i = 0; i < poles.size(); ++i) {
@@ -153,7 +155,8 @@ void add_misfit_of_window(const FrfDataset& set, const LineNoise& line_noise, co
 void add_misfit_inside(const FrfDataset& set, std::vector<Mode>& modes) {
   if (modes.empty()) return;
   const std::vector<ModeWindow> windows = mode_windows(set, modes);
-  const LineNoise line_noise(set);
+  std::optional<LineNoise> line_noise;
+  if (set.points.size() < kMinScatterPoints && set.channels.size() > 1) line_noise.emplace(set);
   parallel_for_cost(windows.size(), kFlopsPerLine * windows.front().count * set.channels.size(), [&](std::size_t w) {
     const bool scatters = std::any_of(windows[w].modes.begin(), windows[w].modes.end(),
                                       [&](std::size_t m) { return modes[m].freq_scatter_Hz > 0; });

@@ -14,7 +14,7 @@ namespace percuss::identify {
 /// Where the points, or with few points the FRFs, scatter beyond the noise, the standard deviations are at least as
 /// large as this scatter makes them. Modes with frequency scatter, the other modes of their windows, and all modes
 /// under an exponential window stay unchanged. So do modes outside the spectral lines, whose contributions remain in
-/// the windows. Modes ascend in frequency. theory (4.20)
+/// the windows. Modes ascend in frequency. theory (4.20), (4.34)
 void add_misfit(const FrfDataset& set, std::vector<Mode>& modes);
 
 /// Takes the standard deviations of the modes as the part of the noise, and adds the part of the misfit (add_misfit).

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/math/significance.hpp"
+#include "metrics/deflection/held_structure.hpp"
 #include "metrics/deflection/window_mean.hpp"
 
 namespace percuss::metrics {
@@ -76,7 +77,6 @@ BaselineEstimate baseline_estimate(std::span<const double> before_mps2, double f
 
 ZeroMeanCorrection zero_mean_correction(std::span<const double> deflection_m, double fs_Hz, double highpass_corner_Hz,
                                         const BaselineEstimate& rest) {
-  ZeroMeanCorrection out{.bias = Vector2d::Zero(), .covariance = rest.covariance};
   std::array<WindowMean, 2> windows;
   Vector2d mean, leaks;
   Matrix2d by_bias;
@@ -84,7 +84,7 @@ ZeroMeanCorrection zero_mean_correction(std::span<const double> deflection_m, do
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const auto [from, to] = places.at(i);
     const ParabolaResidual swing = parabola_residual(deflection_m, from, to);
-    if (swing.cycles < kMinCycles) return out;
+    if (swing.cycles < kMinCycles) return {.bias = Vector2d::Zero(), .covariance = rest.covariance};
     windows.at(i) = window_mean(deflection_m, fs_Hz, highpass_corner_Hz, from, to);
     const auto k = static_cast<Eigen::Index>(i);
     mean(k) = windows.at(i).mean_m;
@@ -101,14 +101,7 @@ ZeroMeanCorrection zero_mean_correction(std::span<const double> deflection_m, do
       noise(a, b) += sum * rest.noise_mps2 * rest.noise_mps2;
     }
   }
-  const Matrix2d spread = by_bias * rest.covariance * by_bias.transpose() + noise;
-  const Matrix2d weight = spread.inverse();
-  out.held = weight.allFinite() && mean.dot(weight * mean) < kContradiction;
-  if (!out.held) return out;
-  const Matrix2d gain = rest.covariance * by_bias.transpose() * weight;
-  out.bias = gain * mean;
-  out.covariance = rest.covariance - gain * by_bias * rest.covariance;
-  return out;
+  return correction_by_zeros<2>(mean, by_bias, noise, rest, kContradiction);
 }
 
 }  // namespace percuss::metrics

@@ -1,6 +1,5 @@
 #include "metrics/deflection/final_rest.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "core/math/statistics.hpp"
+#include "metrics/deflection/held_structure.hpp"
 #include "metrics/deflection/window_mean.hpp"
 
 namespace percuss::metrics {
@@ -19,7 +19,7 @@ constexpr std::array kRestFrom{1.0 / 6, 1.0 / 3, 1.0 / 2, 2.0 / 3};  // candidat
 // less than a motion that matters. A swing raises the means over half its period far more than the samples.
 constexpr double kSameNoise = 1.2;
 constexpr std::size_t kMinFinalRest = 64;
-constexpr double kIntegrationError = 1e-6;  // of the largest deflection, as in deflection.cpp
+constexpr double kIntegrationError = 1e-6;  // of the largest deflection: rounding of the double integral
 constexpr double kNoRestPosition = 36;      // χ² of four observations, exceeded by chance once in four million
 
 struct RestAfter {
@@ -42,11 +42,11 @@ std::optional<RestAfter> rest_after(std::span<const double> accel_mps2, double f
 
 ZeroMeanCorrection final_rest_correction(std::span<const double> accel_mps2, std::span<const double> deflection_m,
                                          double fs_Hz, const BaselineEstimate& rest) {
-  ZeroMeanCorrection out{.bias = Eigen::Vector2d::Zero(), .covariance = rest.covariance};
+  ZeroMeanCorrection none{.bias = Eigen::Vector2d::Zero(), .covariance = rest.covariance};
   const double noise = rest.residual_mps2.empty() ? 0 : rms(rest.residual_mps2);
-  if (!(noise > 0) || rest.noise_mps2 > kSameNoise * noise) return out;
+  if (!(noise > 0) || rest.noise_mps2 > kSameNoise * noise) return none;
   const auto after = rest_after(accel_mps2, fs_Hz, noise);
-  if (!after) return out;
+  if (!after) return none;
 
   // value = by_line·(bias, drift) + by_noise·(samples of the noise)
   const auto samples = static_cast<Eigen::Index>(accel_mps2.size());
@@ -71,17 +71,10 @@ ZeroMeanCorrection final_rest_correction(std::span<const double> accel_mps2, std
     by_noise.row(row) = Eigen::Map<const Eigen::RowVectorXd>(mean.by_noise.data(), samples);
     ++row;
   }
-  Eigen::Matrix4d spread = by_line * rest.covariance * by_line.transpose() +
-                           rest.noise_mps2 * rest.noise_mps2 * by_noise * by_noise.transpose();
+  Eigen::Matrix4d covariance = rest.noise_mps2 * rest.noise_mps2 * by_noise * by_noise.transpose();
   const double error_m = kIntegrationError * extremes_of(deflection_m).max_distance_from(0);
-  spread.diagonal().tail<2>().array() += error_m * error_m;
-  const Eigen::Matrix4d weight = spread.inverse();
-  out.held = weight.allFinite() && value.dot(weight * value) < kNoRestPosition;
-  if (!out.held) return out;
-  const Eigen::Matrix<double, 2, 4> gain = rest.covariance * by_line.transpose() * weight;
-  out.bias = gain * value;
-  out.covariance = rest.covariance - gain * by_line * rest.covariance;
-  return out;
+  covariance.diagonal().tail<2>().array() += error_m * error_m;
+  return correction_by_zeros<4>(value, by_line, covariance, rest, kNoRestPosition);
 }
 
 }  // namespace percuss::metrics

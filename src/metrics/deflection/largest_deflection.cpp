@@ -40,6 +40,13 @@ std::optional<std::size_t> most_significant(const Curve& curve, double direction
   return best;
 }
 
+// Whether direction × deflection exceeds four standard deviations. Direction 0: either sign.
+bool is_significant(const Curve& curve, std::size_t i, double direction) {
+  const double value_m = (*curve.value_m)[i];
+  const double signed_m = direction == 0 ? std::abs(value_m) : direction * value_m;
+  return signed_m > kSignificantStds * curve.std(i);
+}
+
 // The sample of the largest significant value. Only for curves whose standard deviation does not grow with time; for
 // other curves, see most_significant().
 std::optional<std::size_t> largest(const Curve& curve, double direction) {
@@ -48,19 +55,12 @@ std::optional<std::size_t> largest(const Curve& curve, double direction) {
   for (std::size_t i = 0; i < curve.value_m->size(); ++i) {
     const double value_m = (*curve.value_m)[i];
     const double signed_m = direction == 0 ? std::abs(value_m) : direction * value_m;
-    if (signed_m > most_m && signed_m > kSignificantStds * curve.std(i)) {
+    if (signed_m > most_m && is_significant(curve, i, direction)) {
       best = i;
       most_m = signed_m;
     }
   }
   return best;
-}
-
-// Whether direction × deflection exceeds four standard deviations. Direction 0: either sign.
-bool is_significant(const Curve& curve, std::size_t i, double direction) {
-  const double value_m = (*curve.value_m)[i];
-  const double signed_m = direction == 0 ? std::abs(value_m) : direction * value_m;
-  return signed_m > kSignificantStds * curve.std(i);
 }
 
 double first_direction(const Curve& curve, std::size_t peak) {
@@ -129,10 +129,10 @@ void find_largest(const ImpactSignal& signal, const DeflectionOptions& options, 
     if (surer) peak = surer;
     if (!surer) low_noise.reset();
   }
+  if (!peak) return;
   // The decays know the time better than the integral knows the value there. An earlier value that is significant is
   // not the largest.
   if (low_noise && !is_significant(own, *peak, 0)) return;
-  if (!peak) return;
   const Curve curve = low_noise ? Curve{.value_m = &low_noise->value_m, .std_m = &low_noise->std_m} : own;
   d.peak = *peak;
   d.peak_m = d.deflection_m[d.peak];
